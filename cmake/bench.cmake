@@ -1,0 +1,8 @@
+# bench/: one Google Benchmark program per file.
+find_package(benchmark REQUIRED)
+file(GLOB TESSERA_BENCHES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/*_bench.cpp)
+foreach(source IN LISTS TESSERA_BENCHES)
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE tessera_core benchmark::benchmark_main)
+endforeach()

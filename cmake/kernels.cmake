@@ -1,0 +1,32 @@
+# kernels/entry/*.cpp, each compiled once per instruction set. TESSERA_ISA names the namespace; the flags are all
+# that differs. kernels are optimised in Debug too: at -O0 the helpers of xsimd leak as shared symbols.
+find_path(XSIMD_SYSTEM_DIR xsimd/xsimd.hpp REQUIRED)
+# A folder that holds xsimd and nothing else: a cross compiler must not see the other headers of the machine it runs on.
+set(XSIMD_INCLUDE_DIR ${CMAKE_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${XSIMD_INCLUDE_DIR})
+file(CREATE_LINK ${XSIMD_SYSTEM_DIR}/xsimd ${XSIMD_INCLUDE_DIR}/xsimd SYMBOLIC)
+file(GLOB TESSERA_KERNEL_ENTRIES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/kernels/entry/*.cpp)
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(TESSERA_ISAS sse42 avx2 avx512)
+  set(TESSERA_FLAGS_sse42 -march=x86-64-v2)
+  set(TESSERA_FLAGS_avx2 -march=x86-64-v3)
+  set(TESSERA_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  set(TESSERA_ISAS neon64)
+  set(TESSERA_FLAGS_neon64)
+else()
+  message(FATAL_ERROR "Tessera has kernels for x86-64 and AArch64, not for ${CMAKE_SYSTEM_PROCESSOR}")
+endif()
+
+add_library(tessera_kernels STATIC ${CMAKE_SOURCE_DIR}/kernels/tables.cpp)
+target_link_libraries(tessera_kernels PRIVATE tessera_flags)
+foreach(isa IN LISTS TESSERA_ISAS)
+  add_library(tessera_kernels_${isa} OBJECT ${TESSERA_KERNEL_ENTRIES})
+  target_link_libraries(tessera_kernels_${isa} PRIVATE tessera_flags)
+  target_include_directories(tessera_kernels_${isa} SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
+  target_compile_definitions(tessera_kernels_${isa} PRIVATE TESSERA_ISA=${isa})
+  target_compile_options(tessera_kernels_${isa} PRIVATE ${TESSERA_FLAGS_${isa}} -Werror=double-promotion
+                         $<$<CONFIG:Debug>:-O1> -fno-exceptions -fno-rtti)
+  target_sources(tessera_kernels PRIVATE $<TARGET_OBJECTS:tessera_kernels_${isa}>)
+endforeach()

@@ -1,0 +1,401 @@
+// The border between the kernels and everything else: plain views of memory, and one table of function pointers that
+// each instruction set fills in. This is the only kernel header that src/, bench/ and tests/ include.
+//
+// Conventions, once for all kernels
+//   World: right-handed, +Y up. Cameras look along their -Z (glTF).
+//   Pixels: x to the right, y DOWN, the centre of the top-left pixel is (0.5, 0.5).
+//   Depth: reversed; larger is nearer, 0 is infinitely far (or the far plane of an orthographic camera).
+//   Directions are unit vectors; v points from the surface to the eye, l from the surface to the light.
+//   r = perceptual roughness, alpha = r * r.   Radiance and reflectance are linear Rec.709, 3 floats.
+//   Cube faces in the order +X -X +Y -Y +Z -Z, s and t as OpenGL and Vulkan define them, row 0 at t = 0.
+// Arrays named SoA hold one plane per component. Planes written by kernels are padded: their capacity is a multiple
+// of max_lanes, they start on 64-byte boundaries, and kernels may write (never read meaningfully) past `count` up to
+// that multiple. No kernel allocates, throws, or keeps state.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace tessera {
+
+inline constexpr int max_lanes = 16;  // the widest vector of any instruction set, in floats
+inline constexpr int tile_size = 32;  // pixels along a tile's side
+inline constexpr int tile_pixels = tile_size * tile_size;
+inline constexpr int max_samples = 16;   // samples per pixel
+inline constexpr int subpixel_bits = 8;  // fixed-point window coordinates have 1/256 pixel
+inline constexpr int max_frame_size = 16384;
+
+// ---------------------------------------------------------------------------------------------------------- scene
+
+struct Triangle {           // one 16-byte load
+  std::uint32_t vertex[3];  // counter-clockwise seen from the front
+  std::uint32_t binding;    // which MaterialBinding shades it
+};
+
+struct VertexAttributes {  // 64 bytes: one cache line
+  float normal[3];
+  float tangent[4];  // w = handedness of the bitangent; all zero: derive the frame from the UVs
+  float uv[2][2];    // [set][u, v]
+  float color[4];    // linear RGBA, 1 where the file has none
+  float unused;
+};
+static_assert(sizeof(VertexAttributes) == 64);
+
+struct GeometryView {      // world space, shared by all frames of a scene
+  const float* positions;  // xyz, stride 3
+  const VertexAttributes* attributes;
+  const Triangle* triangles;
+  std::uint32_t vertex_count, triangle_count;
+};
+
+// World position (x,y,z,1) -> homogeneous window coordinates, viewport folded in: x_pixels * w, y_pixels * w, depth *
+// w, w.
+struct ViewTransform {
+  float x[4], y[4], z[4], w[4];  // rows
+  float eye[4];                  // w = 1: position of the eye; w = 0: direction towards it (orthographic)
+  int width, height;             // pixels
+};
+
+// ------------------------------------------------------------------------------------------------------- textures
+
+enum class TexelFormat : std::uint32_t { rgba8_unorm, rgba16_float };
+enum class WrapMode : std::uint32_t { repeat, mirrored_repeat, clamp_to_edge };
+enum class FilterMode : std::uint32_t { nearest, linear };
+
+struct TextureView {
+  const void* texels;  // mip 0 first, levels one after another, rows top to bottom
+  TexelFormat format;
+  int width, height, levels;  // level k is max(1, width >> k) x max(1, height >> k)
+  WrapMode wrap_u, wrap_v;
+  FilterMode magnify, minify, mip;
+  bool mipmapped;  // false: level 0 only, minify within it
+};
+
+struct TextureSlotView {
+  const TextureView* texture;  // null: the factor alone
+  int uv_set;
+  float transform[6];  // u' = t0 u + t1 v + t2,  v' = t3 u + t4 v + t5   (KHR_texture_transform)
+};
+
+enum class AlphaMode : std::uint32_t { opaque, mask, blend };
+
+// A material bound to a vertex layout: all that is the same for a run of fragments.
+struct MaterialView {
+  float base_color[4];
+  float metallic, roughness;
+  float normal_scale, occlusion_strength;
+  float emissive[3];  // strength folded in
+  float alpha_cutoff;
+  TextureSlotView base_color_texture, metallic_roughness_texture, normal_texture, occlusion_texture, emissive_texture;
+  AlphaMode alpha_mode;
+  bool double_sided, unlit, has_tangents, has_colors;
+};
+
+// ------------------------------------------------------------------------------------------- geometry: before tiles
+
+enum ProjectedFlags : std::uint32_t {
+  outside_left = 1,
+  outside_right = 2,
+  outside_top = 4,
+  outside_bottom = 8,
+  outside_near = 16,
+  outside_far = 32,
+  needs_clip = 64,  // nearer than the near plane, or beyond the guard band: x, y, depth are not valid
+};
+
+struct ProjectedVertex {
+  std::int32_t x, y;  // window coordinates in 1/256 pixel, rounded to nearest
+  float depth;
+  std::uint32_t flags;
+};
+
+// Ready for coverage. Vertices ordered so that the area is positive (back faces that are kept have been turned round).
+struct SetupTriangle {              // 48 bytes
+  std::int32_t x[3], y[3];          // 1/256 pixel, within +-2^23
+  float depth, depth_dx, depth_dy;  // depth plane: value at vertex 0, change per pixel
+  float depth_min, depth_max;       // range over the triangle; evaluated depth is clamped to it
+  std::uint32_t triangle;           // index into GeometryView::triangles
+};
+static_assert(sizeof(SetupTriangle) == 48);
+
+struct GeometryCounters {
+  std::uint64_t in, outside, back_face, empty, clipped, kept;  // empty: no area, or no sample within the bounding box
+};
+
+struct SetupTrianglesArgs {
+  GeometryView geometry;
+  ViewTransform view;
+  const ProjectedVertex* vertices;   // of every vertex
+  const std::uint8_t* double_sided;  // per binding: 1 keeps back faces
+  int samples;                       // the sample pattern that decides what is empty
+  std::uint32_t first, count;        // range of triangles
+  SetupTriangle* out;                // room for max_setup_per_triangle * count
+  GeometryCounters* counters;        // added to
+};
+inline constexpr int max_setup_per_triangle =
+    8;  // a triangle clipped by near plane and guard band is a fan of at most this many
+
+// ------------------------------------------------------------------------------------------------- inside one tile
+
+// Positions of sample s of a pixel, in 1/256 pixel from its top-left corner: the standard Direct3D/Vulkan patterns for
+// 1, 2, 4, 8 and 16 samples. Defined in one place: Kernels::sample_pattern.
+struct SamplePattern {
+  int count;
+  std::int32_t x[max_samples], y[max_samples];
+};
+
+// Which triangle each sample of a tile sees. Sample planes one after another: index = s * tile_pixels + y * tile_size +
+// x.
+struct VisibilityTile {
+  int x, y;           // pixel coordinates of its top-left corner, multiples of tile_size
+  int width, height;  // visible part, at most tile_size
+  int samples;
+  float* depth;             // cleared to 0
+  std::uint32_t* triangle;  // cleared to no_triangle
+};
+inline constexpr std::uint32_t no_triangle = 0xffffffffu;
+
+// A triangle's part of one pixel: the unit that is resolved and shaded, once.
+struct Fragment {  // 8 bytes
+  std::uint32_t triangle;
+  std::uint16_t pixel;    // y * tile_size + x inside the tile
+  std::uint16_t samples;  // bit s: covers sample s
+};
+static_assert(sizeof(Fragment) == 8);
+
+struct RasterizeArgs {
+  VisibilityTile tile;
+  const SetupTriangle* triangles;
+  const std::uint32_t* list;  // indices into triangles, in submission order
+  std::uint32_t count;
+};
+
+struct RasterCounters {
+  std::uint64_t samples_tested, samples_passed, blocks_rejected;
+};
+
+// Surface attributes of shaded fragments, SoA. Everything the shading kernels need, so a G-buffer from a file can be
+// shaded.
+struct GBufferView {
+  float* position[3];  // world
+  float* normal[3];    // unit shading normal, on the eye's side of the surface for double-sided materials
+  float* base_color[3];
+  float* metallic;
+  float* roughness;    // perceptual, 0..1, not clamped
+  float* occlusion;    // 1 = open
+  float* emissive[3];  // radiance
+  float* alpha;        // coverage by alphaMode: 1 for opaque and mask
+  float* unlit;        // 1: colour is base_color, not lit; 0 otherwise
+  float* depth;        // reversed depth at the shaded point
+};
+inline constexpr int gbuffer_planes = 18;
+
+struct ResolveArgs {
+  GeometryView geometry;
+  ViewTransform view;
+  const MaterialView* material;  // of every fragment of the run
+  SamplePattern pattern;         // the shaded point is the mean of the covered sample positions
+  int tile_x, tile_y;
+  const Fragment* fragments;
+  std::uint32_t count;
+  GBufferView out;  // planes already offset to the run's first fragment (which is a multiple of max_lanes)
+};
+
+struct ResolveAlphaArgs {  // the same fetch, alpha alone: for alphaMode MASK
+  GeometryView geometry;
+  ViewTransform view;
+  const MaterialView* material;
+  SamplePattern pattern;
+  int tile_x, tile_y;
+  const Fragment* fragments;
+  std::uint32_t count;
+  float* alpha;  // out
+};
+
+// -------------------------------------------------------------------------------------------------------- lighting
+
+enum class LightType : std::uint32_t { directional, point, spot };
+enum class Falloff : std::uint32_t {
+  inverse_square,     // KHR_lights_punctual: max(min(1 - (d/range)^4, 1), 0) / d^2
+  windowed_plus_one,  // Karis 2013, eq. 9: sat(1 - (d/range)^4)^2 / (d^2 + 1)
+};
+
+struct LightView {
+  LightType type;
+  Falloff falloff;
+  float position[3];
+  float direction[3];             // in which the light shines, unit
+  float color[3];                 // lux (directional) or candela, times linear colour
+  float inverse_range_squared;    // 0: unlimited
+  float spot_scale, spot_offset;  // cone: sat(cos * scale + offset)^2
+};
+
+// A cubemap with mips. Every face of every level has a border of one texel, so that a bilinear footprint never leaves
+// it: (n + 2) x (n + 2) texels, the border holding the neighbouring faces' texels (corners: the mean of the other three
+// taps).
+struct CubeView {
+  const std::uint16_t* texels;  // RGBA half; level 0 first; in a level faces; in a face rows
+  int size;                     // texels along a face of level 0, without the border; a power of two
+  int levels;
+};
+inline constexpr std::size_t cube_level_offset(int size, int level) {  // in texels, from level 0
+  std::size_t offset = 0;
+  for (int k = 0; k < level; ++k) offset += std::size_t{6} * ((size >> k) + 2) * ((size >> k) + 2);
+  return offset;
+}
+
+struct EnvironmentView {
+  CubeView specular;    // level k holds GGX-prefiltered radiance for r = k / (levels - 1)
+  CubeView background;  // plain radiance with mips; the visible background
+  float irradiance_sh[9]
+                     [3];  // E(n) / pi = c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3zz - 1) + c7 xz + c8 (xx - yy)
+};
+
+struct DfgView {        // directional albedo of the specular lobe: integral f = F0 A + F90 B
+  const float* texels;  // (A, B) pairs; texel i of row j is NoV = (i + 0.5) / size, r = (j + 0.5) / size
+  int size;
+};
+
+enum ShadeFeature : std::uint32_t {  // what a set of fragments calls for; the smallest kernel that covers it is run
+  feature_lights = 1,
+  feature_environment = 2,
+  feature_emissive = 4,
+  feature_unlit = 8,
+  feature_all = 15,
+};
+
+struct ShadeArgs {
+  GBufferView gbuffer;
+  std::uint32_t count;
+  std::uint32_t features;  // a superset of what the fragments use; the result does not depend on it
+  float eye[4];            // as ViewTransform::eye
+  const LightView* lights;
+  std::uint32_t light_count;
+  EnvironmentView environment;
+  DfgView dfg;
+  float* radiance[3];  // out, SoA; not multiplied by alpha
+};
+
+struct BackgroundArgs {           // radiance of the environment along pixel rays
+  float corner[3], dx[3], dy[3];  // direction(x, y) = corner + x dx + y dy, pixel coordinates; need not be unit
+  CubeView cube;
+  float lod;           // blur
+  const float *x, *y;  // pixel coordinates of each ray
+  std::uint32_t count;
+  float* radiance[3];
+};
+
+// ----------------------------------------------------------------------------------------------------- tables, images
+
+struct DfgTableArgs {
+  float* out;
+  int size;
+  int row_begin, row_end;
+  int samples;
+};
+
+struct EquirectView {   // radiance; column u = 0.5 + atan2(z, x) / 2pi, row v = acos(y) / pi from the top
+  const float* texels;  // RGB, stride 3
+  int width, height;
+};
+
+struct CubeFaceArgs {     // writes one face of one level, without its border
+  EquirectView source;    // equirect_to_cube
+  CubeView radiance;      // prefilter_cube: bordered mips of plain radiance
+  float rotation[2];      // cos, sin of the environment's rotation about +Y
+  int face, level, size;  // size: of this level
+  int row_begin, row_end;
+  float roughness;  // prefilter_cube
+  int samples;
+  float* out;  // RGBA float, size * size
+};
+
+enum class ToneCurve : std::uint32_t { none, reinhard, aces, khronos_neutral };
+
+struct EncodeArgs {   // film -> what a display shows
+  const float* rgba;  // linear, premultiplied
+  std::size_t count;  // pixels
+  float exposure;     // factor, applied before the curve
+  ToneCurve curve;
+  std::uint8_t* out;  // sRGB-encoded RGBA, straight alpha (PNG's convention)
+};
+
+struct DownsampleArgs {  // one mip level from the one above it, box filter in linear light
+  const float* in;       // RGBA
+  int width, height;
+  float* out;  // max(1, width/2) x max(1, height/2)
+};
+
+// Array forms of scalar functions: for set-up code outside the kernels, for tests and for charts.
+enum class MathFunction : std::uint32_t {
+  exp2,
+  log2,
+  exp,
+  log,
+  pow,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan2,
+  cbrt,
+  srgb_to_linear,
+  linear_to_srgb,
+  half_to_float,
+  float_to_half,
+};
+
+// ------------------------------------------------------------------------------------------------------------ table
+
+struct Kernels {
+  const char* isa;  // "sse42", "avx2", "avx512", "neon64"
+  int lanes;
+
+  // out[i] = f(a[i], b[i]); b is read by pow and atan2(a = y, b = x) only. Halves travel as the integers 0..65535 in
+  // floats.
+  void (*evaluate)(MathFunction f, const float* a, const float* b, float* out, std::size_t count);
+
+  // entry/geometry.cpp
+  void (*project_vertices)(const ViewTransform&, const float* positions, std::uint32_t count, ProjectedVertex* out);
+  std::uint32_t (*setup_triangles)(const SetupTrianglesArgs&);  // how many were written
+
+  // entry/coverage.cpp
+  SamplePattern (*sample_pattern)(int samples);
+  void (*clear_visibility)(const VisibilityTile&);
+  void (*rasterize_opaque)(const RasterizeArgs&,
+                           RasterCounters*);  // nearest wins; equal depth: the lower triangle index
+  // Fragments of one triangle that pass the depth test, without writing depth; room for tile_pixels (* samples if
+  // split).
+  std::uint32_t (*collect_triangle)(const VisibilityTile&, const SetupTriangle&, bool split_samples, Fragment* out);
+  // Writes depth and id of such a triangle where keep[i] != 0 (alphaMode MASK).
+  void (*commit_fragments)(const VisibilityTile&, const SetupTriangle&, const Fragment*, const std::uint8_t* keep,
+                           std::uint32_t count);
+  // The distinct (pixel, triangle) pairs of the finished tile, pixels ascending, triangles ascending in a pixel; room
+  // for tile_pixels * samples.
+  std::uint32_t (*collect_visible)(const VisibilityTile&, Fragment* out);
+
+  // entry/resolve.cpp
+  void (*resolve)(const ResolveArgs&);
+  void (*resolve_alpha)(const ResolveAlphaArgs&);
+
+  // entry/shade.cpp
+  void (*shade)(const ShadeArgs&);
+  void (*background)(const BackgroundArgs&);
+
+  // entry/bake.cpp
+  void (*dfg_table)(const DfgTableArgs&);
+  void (*equirect_to_cube)(const CubeFaceArgs&);
+  void (*prefilter_cube)(const CubeFaceArgs&);
+
+  // entry/image.cpp
+  void (*encode)(const EncodeArgs&);
+  void (*downsample)(const DownsampleArgs&);
+  void (*pack_half)(const float* in, std::uint16_t* out, std::size_t count);  // round to nearest even
+  void (*unpack_half)(const std::uint16_t* in, float* out, std::size_t count);
+};
+
+// The tables that this build holds, narrowest first, null-terminated. Calling a kernel the CPU lacks is undefined:
+// choose through src/frame/dispatch.
+extern const Kernels* const kernel_tables[];
+
+}  // namespace tessera

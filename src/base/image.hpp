@@ -1,0 +1,21 @@
+// A picture in memory: interleaved floats, top row first.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/aligned.hpp"
+
+namespace tessera {
+
+struct Image {
+  int width = 0, height = 0, channels = 0;
+  AlignedVector<float> pixels;  // width * height * channels
+
+  Image() = default;
+  Image(int w, int h, int c) : width(w), height(h), channels(c), pixels(std::size_t(w) * h * c) {}
+  [[nodiscard]] float* at(int x, int y) { return pixels.data() + (std::size_t(y) * width + x) * channels; }
+  [[nodiscard]] const float* at(int x, int y) const { return pixels.data() + (std::size_t(y) * width + x) * channels; }
+};
+
+}  // namespace tessera

@@ -1,0 +1,56 @@
+#include "base/parallel.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cfenv>
+#include <memory>
+
+namespace tessera {
+namespace {
+
+// FE_DFL_ENV also clears flush-to-zero and denormals-are-zero, which a shared library linked with -ffast-math sets.
+class DefaultFloatEnvironment {
+ public:
+  DefaultFloatEnvironment() {
+    std::fegetenv(&saved_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~DefaultFloatEnvironment() { std::fesetenv(&saved_); }
+  DefaultFloatEnvironment(const DefaultFloatEnvironment&) = delete;
+  DefaultFloatEnvironment& operator=(const DefaultFloatEnvironment&) = delete;
+
+ private:
+  std::fenv_t saved_;
+};
+
+}  // namespace
+
+void run_with_threads(int threads, const std::function<void()>& work) {
+  const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+  // More threads than cores only happen when asked for (tests of determinism): the global limit must allow them.
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+  tbb::task_arena arena(count);
+  arena.execute([&] {
+    const DefaultFloatEnvironment environment;
+    work();
+  });
+}
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        const DefaultFloatEnvironment environment;
+        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+      },
+      tbb::simple_partitioner());
+}
+
+int thread_count() { return tbb::this_task_arena::max_concurrency(); }
+int thread_index() { return tbb::this_task_arena::current_thread_index(); }
+
+}  // namespace tessera
