@@ -1,0 +1,18 @@
+#include "frame/settings.hpp"
+
+#include "base/error.hpp"
+
+namespace tessera {
+
+void validate(const RenderSettings& s) {
+  if (s.width < 1 || s.height < 1 || s.width > max_frame_size || s.height > max_frame_size)
+    throw usage_error("size {}x{}: expected 1x1 to {}x{}", s.width, s.height, max_frame_size, max_frame_size);
+  if (s.samples != 1 && s.samples != 2 && s.samples != 4 && s.samples != 8 && s.samples != 16)
+    throw usage_error("samples {}: expected 1, 2, 4, 8 or 16", s.samples);
+  if (!(s.background_blur >= 0 && s.background_blur <= 1))
+    throw usage_error("background blur {}: expected 0 to 1", s.background_blur);
+  for (const float c : s.background_color)
+    if (!(c >= 0 && c <= 65504)) throw usage_error("background colour component {}: expected 0 to 65504", c);
+}
+
+}  // namespace tessera

@@ -1,0 +1,27 @@
+// What a person may choose about a frame. The scene and the environment are given separately.
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "kernels/interface.hpp"
+
+namespace tessera {
+
+enum class Background { environment, color, transparent };
+
+struct RenderSettings {
+  int width = 1920, height = 1080;  // 1 .. max_frame_size
+  int samples = 4;                  // per pixel: 1, 2, 4, 8 or 16
+  Background background = Background::environment;
+  float background_color[3] = {0, 0, 0};  // linear
+  float background_blur = 0;              // 0 sharp .. 1 the most blurred mip
+  int threads = 0;                        // 0: all cores
+
+  std::uint64_t tile_order_seed = 0;  // 0: rows; else a shuffle (the picture must not change: tests use it)
+  std::function<void(std::size_t done, std::size_t total)> progress;  // tiles; called from any thread
+};
+
+/// Throws Error(usage) naming the setting that is out of range.
+void validate(const RenderSettings& settings);
+
+}  // namespace tessera
