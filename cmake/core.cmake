@@ -12,16 +12,10 @@ file(GLOB_RECURSE TESSERA_CORE_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src
 set(TESSERA_CLI_SOURCES ${TESSERA_CORE_SOURCES})
 list(FILTER TESSERA_CORE_SOURCES EXCLUDE REGEX "/src/(cli|reference)/")
 list(FILTER TESSERA_CLI_SOURCES INCLUDE REGEX "/src/cli/")
-file(GLOB_RECURSE TESSERA_REFERENCE_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/reference/*.cpp)
 
 add_library(tessera_core STATIC ${TESSERA_CORE_SOURCES})
 target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels OpenImageIO::OpenImageIO TBB::tbb fmt::fmt
                       glm::glm nlohmann_json::nlohmann_json)
-
-if(TESSERA_REFERENCE_SOURCES)
-  add_library(tessera_reference STATIC ${TESSERA_REFERENCE_SOURCES})
-  target_link_libraries(tessera_reference PUBLIC tessera_flags)
-endif()
 
 if(TESSERA_CLI_SOURCES)
   add_executable(tessera ${TESSERA_CLI_SOURCES})

@@ -2,10 +2,12 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
-file(GLOB_RECURSE TESSERA_KERNEL_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/kernels/*.cpp)
+file(GLOB_RECURSE TESSERA_KERNEL_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/kernels/*.cpp
+                                                      ${CMAKE_SOURCE_DIR}/tests/stability/*.cpp)
 if(TESSERA_KERNEL_TESTS)
   add_executable(kernel_tests ${TESSERA_KERNEL_TESTS})
   target_include_directories(kernel_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_include_directories(kernel_tests SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
   target_link_libraries(kernel_tests PRIVATE tessera_flags tessera_kernels GTest::gtest_main
                         $<TARGET_NAME_IF_EXISTS:tessera_reference>)
   gtest_discover_tests(kernel_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)

@@ -29,6 +29,7 @@ const Kernels kernels = {
     collect_visible,
     resolve,
     resolve_alpha,
+    evaluate_bsdf,
     shade,
     background,
     dfg_table,

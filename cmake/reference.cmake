@@ -1,0 +1,7 @@
+# src/reference/: ground truth in double, for tests, charts and checks. It shares no formula with kernels/ and depends
+# on nothing but the C++ library.
+file(GLOB_RECURSE TESSERA_REFERENCE_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/reference/*.cpp)
+if(TESSERA_REFERENCE_SOURCES)
+  add_library(tessera_reference STATIC ${TESSERA_REFERENCE_SOURCES})
+  target_link_libraries(tessera_reference PUBLIC tessera_flags)
+endif()
