@@ -1,7 +1,12 @@
 # src/: the library everything else links, and the command-line program.
-find_package(OpenImageIO REQUIRED)
-# Debian's OpenImageIO names OpenCV's headers, which its -dev package does not depend on and Tessera does not use.
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
+# OpenImageIO's own CMake file, in Debian, insists on the programs of openimageio-tools (and so on Qt), on Python's Imath
+# and on OpenCV's headers. The library alone is all that Tessera uses.
+find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
+find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
+find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+add_library(tessera_openimageio INTERFACE)
+target_include_directories(tessera_openimageio SYSTEM INTERFACE ${OPENIMAGEIO_INCLUDE_DIR})
+target_link_libraries(tessera_openimageio INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY})
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
@@ -14,7 +19,7 @@ list(FILTER TESSERA_CORE_SOURCES EXCLUDE REGEX "/src/(cli|reference)/")
 list(FILTER TESSERA_CLI_SOURCES INCLUDE REGEX "/src/cli/")
 
 add_library(tessera_core STATIC ${TESSERA_CORE_SOURCES})
-target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels OpenImageIO::OpenImageIO TBB::tbb fmt::fmt
+target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels tessera_openimageio TBB::tbb fmt::fmt
                       glm::glm nlohmann_json::nlohmann_json)
 
 if(TESSERA_CLI_SOURCES)
