@@ -1,5 +1,4 @@
 #include <OpenImageIO/deepdata.h>
-#include <OpenImageIO/half.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cstring>
@@ -7,6 +6,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "base/half.hpp"
 #include "io/file_bytes.hpp"
 #include "io/image_file.hpp"
 #include "io/image_header.hpp"
@@ -25,9 +25,9 @@ struct Plane {
     if (u32 != nullptr) {
       std::memcpy(u32 + index, value, 4);
     } else if (type == OIIO::TypeDesc::HALF) {
-      half h;
+      std::uint16_t h = 0;
       std::memcpy(&h, value, 2);
-      f32[index] = float(h);
+      f32[index] = half_to_float(h);
     } else {
       std::memcpy(f32 + index, value, 4);
     }

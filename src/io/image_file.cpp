@@ -1,11 +1,10 @@
 #include "io/image_file.hpp"
 
-#include <OpenImageIO/half.h>
-
 #include <cstring>
 #include <exception>
 
 #include "base/error.hpp"
+#include "base/half.hpp"
 #include "io/file_bytes.hpp"
 #include "io/image_header.hpp"
 #include "io/image_input.hpp"
@@ -20,6 +19,11 @@ template <class T>
 void widen(const std::vector<std::byte>& in, float divisor, AlignedVector<float>& out) {
   const T* values = reinterpret_cast<const T*>(in.data());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = float(values[i]) / divisor;
+}
+
+void widen_half(const std::vector<std::byte>& in, AlignedVector<float>& out) {
+  const auto* values = reinterpret_cast<const std::uint16_t*>(in.data());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = half_to_float(values[i]);
 }
 
 void read_pixels(ImageReader& reader, int channels, OIIO::TypeDesc type, void* pixels, const std::string& name) {
@@ -117,7 +121,7 @@ Image read_image(const std::string& path) {
         widen<std::uint16_t>(source.pixels, 65535.0f, image.pixels);
         break;
       case PixelType::half:
-        widen<half>(source.pixels, 1.0f, image.pixels);
+        widen_half(source.pixels, image.pixels);
         break;
       case PixelType::f32:
         std::memcpy(image.pixels.data(), source.pixels.data(), source.pixels.size());
