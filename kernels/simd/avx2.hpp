@@ -1,0 +1,95 @@
+// What xsimd lacks or does inexactly on AVX2 with FMA and F16C, on raw registers. Included by kernels/simd.hpp alone.
+#pragma once
+
+namespace tessera::TESSERA_ISA {
+namespace {
+namespace native {
+
+using Arch = xsimd::avx2;
+using FloatRegister = __m256;
+using IntRegister = __m256i;
+using MaskRegister = __m256;
+
+TESSERA_INLINE __m256 mul_add(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
+TESSERA_INLINE __m256 mul_sub(__m256 a, __m256 b, __m256 c) { return _mm256_fmsub_ps(a, b, c); }
+TESSERA_INLINE __m256 neg_mul_add(__m256 a, __m256 b, __m256 c) { return _mm256_fnmadd_ps(a, b, c); }
+TESSERA_INLINE __m256 divide(__m256 a, __m256 b) { return _mm256_div_ps(a, b); }
+TESSERA_INLINE __m256 sqrt(__m256 x) { return _mm256_sqrt_ps(x); }
+TESSERA_INLINE __m256 floor(__m256 x) { return _mm256_round_ps(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+// MINPS and MAXPS are a < b ? a : b and a > b ? a : b exactly: the second operand if either is NaN or both are zero.
+TESSERA_INLINE __m256 min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
+TESSERA_INLINE __m256 max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+TESSERA_INLINE __m256i min(__m256i a, __m256i b) { return _mm256_min_epi32(a, b); }
+TESSERA_INLINE __m256i max(__m256i a, __m256i b) { return _mm256_max_epi32(a, b); }
+
+TESSERA_INLINE __m256i truncate_to_int(__m256 x) { return _mm256_cvttps_epi32(x); }
+TESSERA_INLINE __m256i round_to_int(__m256 x) { return _mm256_cvtps_epi32(x); }
+TESSERA_INLINE __m256 to_float(__m256i x) { return _mm256_cvtepi32_ps(x); }
+TESSERA_INLINE __m256i bits(__m256 x) { return _mm256_castps_si256(x); }
+TESSERA_INLINE __m256 from_bits(__m256i x) { return _mm256_castsi256_ps(x); }
+// Written with the compilers' vector types: constant counts become immediates.
+TESSERA_INLINE __m256i shift_left(__m256i x, int n) { return (__m256i)((__v8si)x << n); }
+TESSERA_INLINE __m256i shift_right(__m256i x, int n) { return (__m256i)((__v8si)x >> n); }
+TESSERA_INLINE __m256i shift_right_logical(__m256i x, int n) { return (__m256i)((__v8su)x >> n); }
+
+template <int scale>
+TESSERA_INLINE __m256 gather(const void* base, __m256i index, __m256 active) {
+  return _mm256_mask_i32gather_ps(_mm256_setzero_ps(), static_cast<const float*>(base), index, active, scale);
+}
+template <int scale>
+TESSERA_INLINE __m256 gather(const void* base, __m256i index) {
+  return gather<scale>(base, index, _mm256_castsi256_ps(_mm256_set1_epi32(-1)));
+}
+
+// Sixteen bits in the low half of each lane.
+TESSERA_INLINE __m256 half_to_float(__m256i x) {
+  const __m256i low = _mm256_and_si256(x, _mm256_set1_epi32(0xffff));
+  const __m256i packed = _mm256_permute4x64_epi64(_mm256_packus_epi32(low, low), 0x08);
+  return _mm256_cvtph_ps(_mm256_castsi256_si128(packed));
+}
+TESSERA_INLINE __m256i float_to_half(__m256 x) {
+  return _mm256_cvtepu16_epi32(_mm256_cvtps_ph(x, _MM_FROUND_TO_NEAREST_INT));
+}
+TESSERA_INLINE __m256 load_half(const std::uint16_t* p) {
+  return _mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)));
+}
+TESSERA_INLINE void store_half(std::uint16_t* p, __m256 x) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(p), _mm256_cvtps_ph(x, _MM_FROUND_TO_NEAREST_INT));
+}
+
+TESSERA_INLINE std::uint32_t mask_bits(__m256 m) { return static_cast<std::uint32_t>(_mm256_movemask_ps(m)); }
+TESSERA_INLINE __m256 mask_from_bits(std::uint32_t b) {
+  const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  return _mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(b)), bit), bit));
+}
+TESSERA_INLINE __m256 mask_from_int(__m256i m) { return _mm256_castsi256_ps(m); }
+TESSERA_INLINE __m256i mask_to_int(__m256 m) { return _mm256_castps_si256(m); }
+
+TESSERA_INLINE void store_masked(float* p, __m256 x, __m256 m) { _mm256_maskstore_ps(p, _mm256_castps_si256(m), x); }
+TESSERA_INLINE void store_masked(std::int32_t* p, __m256i x, __m256 m) {
+  _mm256_maskstore_epi32(p, _mm256_castps_si256(m), x);
+}
+
+// For each of the 256 masks, the lanes that are set, ascending, one per byte.
+struct CompressTable {
+  std::uint64_t lanes[256];
+  constexpr CompressTable() : lanes{} {
+    for (int m = 0; m < 256; ++m)
+      for (int lane = 0, count = 0; lane < 8; ++lane)
+        if (m >> lane & 1) lanes[m] |= static_cast<std::uint64_t>(lane) << (8 * count++);
+  }
+};
+constexpr CompressTable compress_table;
+
+TESSERA_INLINE int compress_store(std::int32_t* p, __m256i x, __m256 m) {
+  const std::uint32_t set = mask_bits(m);
+  const int count = __builtin_popcount(set);
+  const __m128i packed = _mm_cvtsi64_si128(static_cast<long long>(compress_table.lanes[set]));
+  const __m256i front = _mm256_permutevar8x32_epi32(x, _mm256_cvtepu8_epi32(packed));
+  _mm256_maskstore_epi32(p, _mm256_castps_si256(mask_from_bits((1u << count) - 1)), front);
+  return count;
+}
+
+}  // namespace native
+}  // namespace
+}  // namespace tessera::TESSERA_ISA

@@ -1,0 +1,78 @@
+// What xsimd lacks or does inexactly on AVX-512 (F, BW, DQ, VL), on raw registers. Included by kernels/simd.hpp alone.
+#pragma once
+
+namespace tessera::TESSERA_ISA {
+namespace {
+namespace native {
+
+using Arch = xsimd::avx512bw;
+using FloatRegister = __m512;
+using IntRegister = __m512i;
+using MaskRegister = __mmask16;
+
+TESSERA_INLINE __m512 mul_add(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
+TESSERA_INLINE __m512 mul_sub(__m512 a, __m512 b, __m512 c) { return _mm512_fmsub_ps(a, b, c); }
+TESSERA_INLINE __m512 neg_mul_add(__m512 a, __m512 b, __m512 c) { return _mm512_fnmadd_ps(a, b, c); }
+TESSERA_INLINE __m512 divide(__m512 a, __m512 b) { return _mm512_div_ps(a, b); }
+// The zero-masked forms of this file mean the same as the plain ones, whose undefined source operand GCC 12 warns
+// about.
+TESSERA_INLINE __m512 sqrt(__m512 x) { return _mm512_maskz_sqrt_ps(0xffff, x); }
+TESSERA_INLINE __m512 floor(__m512 x) {
+  return _mm512_maskz_roundscale_ps(0xffff, x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+}
+// MINPS and MAXPS are a < b ? a : b and a > b ? a : b exactly: the second operand if either is NaN or both are zero.
+TESSERA_INLINE __m512 min(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
+TESSERA_INLINE __m512 max(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+TESSERA_INLINE __m512i min(__m512i a, __m512i b) { return _mm512_maskz_min_epi32(0xffff, a, b); }
+TESSERA_INLINE __m512i max(__m512i a, __m512i b) { return _mm512_maskz_max_epi32(0xffff, a, b); }
+
+TESSERA_INLINE __m512i truncate_to_int(__m512 x) { return _mm512_maskz_cvttps_epi32(0xffff, x); }
+TESSERA_INLINE __m512i round_to_int(__m512 x) { return _mm512_maskz_cvtps_epi32(0xffff, x); }
+TESSERA_INLINE __m512 to_float(__m512i x) { return _mm512_maskz_cvtepi32_ps(0xffff, x); }
+TESSERA_INLINE __m512i bits(__m512 x) { return _mm512_castps_si512(x); }
+TESSERA_INLINE __m512 from_bits(__m512i x) { return _mm512_castsi512_ps(x); }
+// Written with the compilers' vector types: constant counts become immediates.
+TESSERA_INLINE __m512i shift_left(__m512i x, int n) { return (__m512i)((__v16si)x << n); }
+TESSERA_INLINE __m512i shift_right(__m512i x, int n) { return (__m512i)((__v16si)x >> n); }
+TESSERA_INLINE __m512i shift_right_logical(__m512i x, int n) { return (__m512i)((__v16su)x >> n); }
+
+template <int scale>
+TESSERA_INLINE __m512 gather(const void* base, __m512i index, __mmask16 active) {
+  return _mm512_mask_i32gather_ps(_mm512_setzero_ps(), active, index, base, scale);
+}
+template <int scale>
+TESSERA_INLINE __m512 gather(const void* base, __m512i index) {
+  return gather<scale>(base, index, 0xffff);
+}
+
+// Sixteen bits in the low half of each lane.
+TESSERA_INLINE __m512 half_to_float(__m512i x) {
+  return _mm512_maskz_cvtph_ps(0xffff, _mm512_maskz_cvtepi32_epi16(0xffff, x));
+}
+TESSERA_INLINE __m512i float_to_half(__m512 x) {
+  return _mm512_maskz_cvtepu16_epi32(0xffff, _mm512_maskz_cvtps_ph(0xffff, x, _MM_FROUND_TO_NEAREST_INT));
+}
+TESSERA_INLINE __m512 load_half(const std::uint16_t* p) {
+  return _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)));
+}
+TESSERA_INLINE void store_half(std::uint16_t* p, __m512 x) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm512_maskz_cvtps_ph(0xffff, x, _MM_FROUND_TO_NEAREST_INT));
+}
+
+TESSERA_INLINE std::uint32_t mask_bits(__mmask16 m) { return _cvtmask16_u32(m); }
+TESSERA_INLINE __mmask16 mask_from_bits(std::uint32_t b) { return static_cast<__mmask16>(b); }
+TESSERA_INLINE __mmask16 mask_from_int(__mmask16 m) { return m; }
+TESSERA_INLINE __mmask16 mask_to_int(__mmask16 m) { return m; }
+
+TESSERA_INLINE void store_masked(float* p, __m512 x, __mmask16 m) { _mm512_mask_storeu_ps(p, m, x); }
+TESSERA_INLINE void store_masked(std::int32_t* p, __m512i x, __mmask16 m) { _mm512_mask_storeu_epi32(p, m, x); }
+TESSERA_INLINE int compress_store(std::int32_t* p, __m512i x, __mmask16 m) {
+  const int count = __builtin_popcount(mask_bits(m));
+  // Compressing into a register first: the instruction that compresses to memory is microcoded on Zen 4.
+  _mm512_mask_storeu_epi32(p, static_cast<__mmask16>((1u << count) - 1), _mm512_maskz_compress_epi32(m, x));
+  return count;
+}
+
+}  // namespace native
+}  // namespace
+}  // namespace tessera::TESSERA_ISA

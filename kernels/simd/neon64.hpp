@@ -1,0 +1,97 @@
+// What xsimd lacks or does inexactly on AArch64, on raw registers. Included by kernels/simd.hpp alone.
+#pragma once
+
+namespace tessera::TESSERA_ISA {
+namespace {
+namespace native {
+
+using Arch = xsimd::neon64;
+using FloatRegister = float32x4_t;
+using IntRegister = int32x4_t;
+using MaskRegister = uint32x4_t;
+
+TESSERA_INLINE float32x4_t mul_add(float32x4_t a, float32x4_t b, float32x4_t c) { return vfmaq_f32(c, a, b); }
+TESSERA_INLINE float32x4_t mul_sub(float32x4_t a, float32x4_t b, float32x4_t c) {
+  return vfmaq_f32(vnegq_f32(c), a, b);
+}
+TESSERA_INLINE float32x4_t neg_mul_add(float32x4_t a, float32x4_t b, float32x4_t c) { return vfmsq_f32(c, a, b); }
+TESSERA_INLINE float32x4_t divide(float32x4_t a, float32x4_t b) { return vdivq_f32(a, b); }
+TESSERA_INLINE float32x4_t sqrt(float32x4_t x) { return vsqrtq_f32(x); }
+TESSERA_INLINE float32x4_t floor(float32x4_t x) { return vrndmq_f32(x); }
+// FMIN and FMAX treat NaN and signed zeros differently from x86: compare and select instead.
+TESSERA_INLINE float32x4_t min(float32x4_t a, float32x4_t b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
+TESSERA_INLINE float32x4_t max(float32x4_t a, float32x4_t b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
+TESSERA_INLINE int32x4_t min(int32x4_t a, int32x4_t b) { return vminq_s32(a, b); }
+TESSERA_INLINE int32x4_t max(int32x4_t a, int32x4_t b) { return vmaxq_s32(a, b); }
+
+TESSERA_INLINE int32x4_t truncate_to_int(float32x4_t x) { return vcvtq_s32_f32(x); }
+TESSERA_INLINE int32x4_t round_to_int(float32x4_t x) { return vcvtnq_s32_f32(x); }
+TESSERA_INLINE float32x4_t to_float(int32x4_t x) { return vcvtq_f32_s32(x); }
+TESSERA_INLINE int32x4_t bits(float32x4_t x) { return vreinterpretq_s32_f32(x); }
+TESSERA_INLINE float32x4_t from_bits(int32x4_t x) { return vreinterpretq_f32_s32(x); }
+// Written with the compilers' vector types: constant counts become immediates.
+TESSERA_INLINE int32x4_t shift_left(int32x4_t x, int n) { return x << n; }
+TESSERA_INLINE int32x4_t shift_right(int32x4_t x, int n) { return x >> n; }
+TESSERA_INLINE int32x4_t shift_right_logical(int32x4_t x, int n) {
+  return vreinterpretq_s32_u32(vreinterpretq_u32_s32(x) >> static_cast<unsigned>(n));
+}
+
+TESSERA_INLINE std::uint32_t mask_bits(uint32x4_t m) {
+  const uint32x4_t bit = {1, 2, 4, 8};
+  return vaddvq_u32(vandq_u32(m, bit));
+}
+TESSERA_INLINE uint32x4_t mask_from_bits(std::uint32_t b) {
+  const uint32x4_t bit = {1, 2, 4, 8};
+  return vtstq_u32(vdupq_n_u32(b), bit);
+}
+TESSERA_INLINE uint32x4_t mask_from_int(uint32x4_t m) { return m; }
+TESSERA_INLINE uint32x4_t mask_to_int(uint32x4_t m) { return m; }
+
+template <int scale>
+TESSERA_INLINE int gather_one(const void* base, int index) {
+  int value;
+  __builtin_memcpy(&value, static_cast<const char*>(base) + std::int64_t{index} * scale, 4);
+  return value;
+}
+template <int scale>
+TESSERA_INLINE float32x4_t gather(const void* base, int32x4_t index) {
+  const int32x4_t values = {gather_one<scale>(base, index[0]), gather_one<scale>(base, index[1]),
+                            gather_one<scale>(base, index[2]), gather_one<scale>(base, index[3])};
+  return vreinterpretq_f32_s32(values);
+}
+template <int scale>
+TESSERA_INLINE float32x4_t gather(const void* base, int32x4_t index, uint32x4_t active) {
+  int32x4_t values = vdupq_n_s32(0);
+  for (int i = 0; i < 4; ++i)
+    if (active[i]) values[i] = gather_one<scale>(base, index[i]);
+  return vreinterpretq_f32_s32(values);
+}
+
+// Sixteen bits in the low half of each lane.
+TESSERA_INLINE float32x4_t half_to_float(int32x4_t x) {
+  return vcvt_f32_f16(vreinterpret_f16_u16(vmovn_u32(vreinterpretq_u32_s32(x))));
+}
+TESSERA_INLINE int32x4_t float_to_half(float32x4_t x) {
+  return vreinterpretq_s32_u32(vmovl_u16(vreinterpret_u16_f16(vcvt_f16_f32(x))));
+}
+TESSERA_INLINE float32x4_t load_half(const std::uint16_t* p) { return vcvt_f32_f16(vreinterpret_f16_u16(vld1_u16(p))); }
+TESSERA_INLINE void store_half(std::uint16_t* p, float32x4_t x) { vst1_u16(p, vreinterpret_u16_f16(vcvt_f16_f32(x))); }
+
+TESSERA_INLINE void store_masked(float* p, float32x4_t x, uint32x4_t m) {
+  for (int i = 0; i < 4; ++i)
+    if (m[i]) p[i] = x[i];
+}
+TESSERA_INLINE void store_masked(std::int32_t* p, int32x4_t x, uint32x4_t m) {
+  for (int i = 0; i < 4; ++i)
+    if (m[i]) p[i] = x[i];
+}
+TESSERA_INLINE int compress_store(std::int32_t* p, int32x4_t x, uint32x4_t m) {
+  int count = 0;
+  for (int i = 0; i < 4; ++i)
+    if (m[i]) p[count++] = x[i];
+  return count;
+}
+
+}  // namespace native
+}  // namespace
+}  // namespace tessera::TESSERA_ISA

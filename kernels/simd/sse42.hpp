@@ -1,0 +1,156 @@
+// What xsimd lacks or does inexactly on SSE4.2, on raw registers. Included by kernels/simd.hpp alone.
+#pragma once
+
+namespace tessera::TESSERA_ISA {
+namespace {
+namespace native {
+
+using Arch = xsimd::sse4_2;
+using FloatRegister = __m128;
+using IntRegister = __m128i;
+using MaskRegister = __m128;
+
+// p + c rounded to odd: truncated, with the last bit set if anything was cut off. Rounding that to float, which has
+// more than two bits less, is rounding the exact sum once. Boldo and Melquiond 2008, "Emulation of FMA and
+// correctly rounded sums: proved algorithms using rounding to odd".
+TESSERA_INLINE __m128d add_round_to_odd(__m128d p, __m128d c) {
+  const __m128d sum = _mm_add_pd(p, c);
+  // Knuth's two-sum: error = exact sum - sum. No overflow: |p| < 2^257.
+  const __m128d c_part = _mm_sub_pd(sum, p);
+  const __m128d p_part = _mm_sub_pd(sum, c_part);
+  const __m128d error = _mm_add_pd(_mm_sub_pd(p, p_part), _mm_sub_pd(c, c_part));
+  // False for a NaN, which is what the error of an infinite sum is: that sum stays as it is.
+  const __m128d size = _mm_andnot_pd(_mm_set1_pd(-0.0), error);
+  const __m128i inexact = _mm_castpd_si128(_mm_cmpgt_pd(size, _mm_setzero_pd()));
+  const __m128i rounded_away = _mm_srli_epi64(_mm_castpd_si128(_mm_xor_pd(sum, error)), 63);
+  const __m128i truncated = _mm_sub_epi64(_mm_castpd_si128(sum), _mm_and_si128(inexact, rounded_away));
+  return _mm_castsi128_pd(_mm_or_si128(truncated, _mm_srli_epi64(inexact, 63)));
+}
+
+// The product of two floats is exact in double, so one rounding to odd and one to float are one rounding.
+TESSERA_INLINE __m128 mul_add(__m128 a, __m128 b, __m128 c) {
+  const __m128d low = add_round_to_odd(_mm_mul_pd(_mm_cvtps_pd(a), _mm_cvtps_pd(b)), _mm_cvtps_pd(c));
+  const __m128d high =
+      add_round_to_odd(_mm_mul_pd(_mm_cvtps_pd(_mm_movehl_ps(a, a)), _mm_cvtps_pd(_mm_movehl_ps(b, b))),
+                       _mm_cvtps_pd(_mm_movehl_ps(c, c)));
+  return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+}
+TESSERA_INLINE __m128 mul_sub(__m128 a, __m128 b, __m128 c) { return mul_add(a, b, _mm_xor_ps(c, _mm_set1_ps(-0.0f))); }
+TESSERA_INLINE __m128 neg_mul_add(__m128 a, __m128 b, __m128 c) {
+  return mul_add(_mm_xor_ps(a, _mm_set1_ps(-0.0f)), b, c);
+}
+TESSERA_INLINE __m128 divide(__m128 a, __m128 b) { return _mm_div_ps(a, b); }
+TESSERA_INLINE __m128 sqrt(__m128 x) { return _mm_sqrt_ps(x); }
+TESSERA_INLINE __m128 floor(__m128 x) { return _mm_round_ps(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+// MINPS and MAXPS are a < b ? a : b and a > b ? a : b exactly: the second operand if either is NaN or both are zero.
+TESSERA_INLINE __m128 min(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
+TESSERA_INLINE __m128 max(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+TESSERA_INLINE __m128i min(__m128i a, __m128i b) { return _mm_min_epi32(a, b); }
+TESSERA_INLINE __m128i max(__m128i a, __m128i b) { return _mm_max_epi32(a, b); }
+
+TESSERA_INLINE __m128i truncate_to_int(__m128 x) { return _mm_cvttps_epi32(x); }
+TESSERA_INLINE __m128i round_to_int(__m128 x) { return _mm_cvtps_epi32(x); }
+TESSERA_INLINE __m128 to_float(__m128i x) { return _mm_cvtepi32_ps(x); }
+TESSERA_INLINE __m128i bits(__m128 x) { return _mm_castps_si128(x); }
+TESSERA_INLINE __m128 from_bits(__m128i x) { return _mm_castsi128_ps(x); }
+// Written with the compilers' vector types: constant counts become immediates.
+TESSERA_INLINE __m128i shift_left(__m128i x, int n) { return (__m128i)((__v4si)x << n); }
+TESSERA_INLINE __m128i shift_right(__m128i x, int n) { return (__m128i)((__v4si)x >> n); }
+TESSERA_INLINE __m128i shift_right_logical(__m128i x, int n) { return (__m128i)((__v4su)x >> n); }
+
+TESSERA_INLINE std::uint32_t mask_bits(__m128 m) { return static_cast<std::uint32_t>(_mm_movemask_ps(m)); }
+TESSERA_INLINE __m128 mask_from_bits(std::uint32_t b) {
+  const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
+  return _mm_castsi128_ps(_mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(static_cast<int>(b)), bit), bit));
+}
+TESSERA_INLINE __m128 mask_from_int(__m128i m) { return _mm_castsi128_ps(m); }
+TESSERA_INLINE __m128i mask_to_int(__m128 m) { return _mm_castps_si128(m); }
+
+template <int scale>
+TESSERA_INLINE int gather_one(const void* base, int index) {
+  int value;
+  __builtin_memcpy(&value, static_cast<const char*>(base) + std::int64_t{index} * scale, 4);
+  return value;
+}
+template <int scale>
+TESSERA_INLINE __m128 gather(const void* base, __m128i index) {
+  return _mm_castsi128_ps(_mm_setr_epi32(
+      gather_one<scale>(base, _mm_extract_epi32(index, 0)), gather_one<scale>(base, _mm_extract_epi32(index, 1)),
+      gather_one<scale>(base, _mm_extract_epi32(index, 2)), gather_one<scale>(base, _mm_extract_epi32(index, 3))));
+}
+template <int scale>
+TESSERA_INLINE __m128 gather(const void* base, __m128i index, __m128 active) {
+  const std::uint32_t set = mask_bits(active);
+  const int x = set & 1 ? gather_one<scale>(base, _mm_extract_epi32(index, 0)) : 0;
+  const int y = set & 2 ? gather_one<scale>(base, _mm_extract_epi32(index, 1)) : 0;
+  const int z = set & 4 ? gather_one<scale>(base, _mm_extract_epi32(index, 2)) : 0;
+  const int w = set & 8 ? gather_one<scale>(base, _mm_extract_epi32(index, 3)) : 0;
+  return _mm_castsi128_ps(_mm_setr_epi32(x, y, z, w));
+}
+
+// Sixteen bits in the low half of each lane. As F16C: a signalling NaN turns quiet and keeps its other bits.
+TESSERA_INLINE __m128 half_to_float(__m128i x) {
+  const __m128i magnitude = _mm_and_si128(x, _mm_set1_epi32(0x7fff));
+  const __m128i sign = _mm_slli_epi32(_mm_and_si128(x, _mm_set1_epi32(0x8000)), 16);
+  // Read as a float, magnitude << 13 is the value times 2^-112; the product is exact, subnormals included.
+  const __m128i finite =
+      _mm_castps_si128(_mm_mul_ps(_mm_castsi128_ps(_mm_slli_epi32(magnitude, 13)), _mm_set1_ps(0x1p112f)));
+  const __m128i quiet = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7c00)), _mm_set1_epi32(0x400000));
+  const __m128i special = _mm_or_si128(_mm_or_si128(_mm_slli_epi32(magnitude, 13), _mm_set1_epi32(0x7f800000)), quiet);
+  const __m128i is_special = _mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7bff));
+  return _mm_castsi128_ps(_mm_or_si128(_mm_blendv_epi8(finite, special, is_special), sign));
+}
+TESSERA_INLINE __m128i float_to_half(__m128 x) {
+  const __m128i all = _mm_castps_si128(x);
+  const __m128i magnitude = _mm_and_si128(all, _mm_set1_epi32(0x7fffffff));
+  const __m128i sign = _mm_and_si128(_mm_srli_epi32(all, 16), _mm_set1_epi32(0x8000));
+  // Normal halves: rebias the exponent by -112, round the low 13 bits to nearest even by adding 0xfff + (bit 13); a
+  // carry runs into the exponent, and at the top into infinity.
+  const __m128i odd = _mm_and_si128(_mm_srli_epi32(magnitude, 13), _mm_set1_epi32(1));
+  const __m128i rebiased = _mm_add_epi32(magnitude, _mm_set1_epi32(0xfff - (112 << 23)));
+  const __m128i normal = _mm_srli_epi32(_mm_add_epi32(rebiased, odd), 13);
+  // Below 2^-14: adding 0.5, whose ulp 2^-24 is the step of subnormal halves, makes the addition round to that step.
+  const __m128 shifted = _mm_add_ps(_mm_castsi128_ps(magnitude), _mm_set1_ps(0.5f));
+  const __m128i subnormal = _mm_sub_epi32(_mm_castps_si128(shifted), _mm_set1_epi32(0x3f000000));
+  const __m128i payload = _mm_and_si128(_mm_srli_epi32(magnitude, 13), _mm_set1_epi32(0x3ff));
+  const __m128i nan = _mm_or_si128(payload, _mm_set1_epi32(0x7e00));
+  __m128i half = _mm_blendv_epi8(normal, subnormal, _mm_cmplt_epi32(magnitude, _mm_set1_epi32(0x38800000)));
+  half = _mm_blendv_epi8(half, _mm_set1_epi32(0x7c00), _mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x477fffff)));
+  half = _mm_blendv_epi8(half, nan, _mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7f800000)));
+  return _mm_or_si128(half, sign);
+}
+TESSERA_INLINE __m128 load_half(const std::uint16_t* p) {
+  return half_to_float(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))));
+}
+TESSERA_INLINE void store_half(std::uint16_t* p, __m128 x) {
+  const __m128i half = float_to_half(x);
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(p), _mm_packus_epi32(half, half));
+}
+
+TESSERA_INLINE void store_masked(std::int32_t* p, __m128i x, __m128 m) {
+  const std::uint32_t set = mask_bits(m);
+  if (set & 1) p[0] = _mm_extract_epi32(x, 0);
+  if (set & 2) p[1] = _mm_extract_epi32(x, 1);
+  if (set & 4) p[2] = _mm_extract_epi32(x, 2);
+  if (set & 8) p[3] = _mm_extract_epi32(x, 3);
+}
+TESSERA_INLINE void store_masked(float* p, __m128 x, __m128 m) {
+  const std::uint32_t set = mask_bits(m);
+  alignas(16) float lanes[4];
+  _mm_store_ps(lanes, x);
+  for (int i = 0; i < 4; ++i)
+    if (set >> i & 1) p[i] = lanes[i];
+}
+TESSERA_INLINE int compress_store(std::int32_t* p, __m128i x, __m128 m) {
+  const std::uint32_t set = mask_bits(m);
+  int count = 0;
+  if (set & 1) p[count++] = _mm_extract_epi32(x, 0);
+  if (set & 2) p[count++] = _mm_extract_epi32(x, 1);
+  if (set & 4) p[count++] = _mm_extract_epi32(x, 2);
+  if (set & 8) p[count++] = _mm_extract_epi32(x, 3);
+  return count;
+}
+
+}  // namespace native
+}  // namespace
+}  // namespace tessera::TESSERA_ISA

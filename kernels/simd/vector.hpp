@@ -1,0 +1,197 @@
+// Operators and functions of Float, Int and Mask. Included by kernels/simd.hpp alone.
+#pragma once
+
+namespace tessera::TESSERA_ISA {
+namespace {
+
+// ------------------------------------------------------------------------------------------------------------ mask
+
+TESSERA_INLINE Mask operator&(Mask a, Mask b) { return Mask(a.batch & b.batch); }
+TESSERA_INLINE Mask operator|(Mask a, Mask b) { return Mask(a.batch | b.batch); }
+TESSERA_INLINE Mask operator^(Mask a, Mask b) { return Mask(a.batch ^ b.batch); }
+TESSERA_INLINE Mask operator~(Mask a) { return Mask(~a.batch); }
+TESSERA_INLINE Mask operator!(Mask a) { return Mask(~a.batch); }
+TESSERA_INLINE Mask& operator&=(Mask& a, Mask b) { return a = a & b; }
+TESSERA_INLINE Mask& operator|=(Mask& a, Mask b) { return a = a | b; }
+TESSERA_INLINE Mask& operator^=(Mask& a, Mask b) { return a = a ^ b; }
+
+// Bit i is lane i.
+TESSERA_INLINE std::uint32_t to_bits(Mask m) { return native::mask_bits(m.raw()); }
+TESSERA_INLINE Mask from_mask_bits(std::uint32_t bits) { return make_mask(native::mask_from_bits(bits)); }
+TESSERA_INLINE bool any(Mask m) { return to_bits(m) != 0; }
+TESSERA_INLINE bool none(Mask m) { return to_bits(m) == 0; }
+TESSERA_INLINE bool all(Mask m) { return to_bits(m) == (1u << Float::lanes) - 1; }
+
+// ------------------------------------------------------------------------------------------------------------- int
+
+TESSERA_INLINE Int operator+(Int a, Int b) { return Int(a.batch + b.batch); }
+TESSERA_INLINE Int operator-(Int a, Int b) { return Int(a.batch - b.batch); }
+TESSERA_INLINE Int operator*(Int a, Int b) { return Int(a.batch * b.batch); }
+TESSERA_INLINE Int operator-(Int a) { return Int(Int(0).batch - a.batch); }
+TESSERA_INLINE Int operator&(Int a, Int b) { return Int(a.batch & b.batch); }
+TESSERA_INLINE Int operator|(Int a, Int b) { return Int(a.batch | b.batch); }
+TESSERA_INLINE Int operator^(Int a, Int b) { return Int(a.batch ^ b.batch); }
+TESSERA_INLINE Int operator~(Int a) { return Int(a.batch ^ Int(-1).batch); }
+// 0 <= n <= 31; >> keeps the sign.
+TESSERA_INLINE Int operator<<(Int a, int n) { return make_int(native::shift_left(a.raw(), n)); }
+TESSERA_INLINE Int operator>>(Int a, int n) { return make_int(native::shift_right(a.raw(), n)); }
+TESSERA_INLINE Int shift_right_logical(Int a, int n) { return make_int(native::shift_right_logical(a.raw(), n)); }
+TESSERA_INLINE Int& operator+=(Int& a, Int b) { return a = a + b; }
+TESSERA_INLINE Int& operator-=(Int& a, Int b) { return a = a - b; }
+TESSERA_INLINE Int& operator*=(Int& a, Int b) { return a = a * b; }
+TESSERA_INLINE Int& operator&=(Int& a, Int b) { return a = a & b; }
+TESSERA_INLINE Int& operator|=(Int& a, Int b) { return a = a | b; }
+TESSERA_INLINE Int& operator^=(Int& a, Int b) { return a = a ^ b; }
+
+TESSERA_INLINE Mask operator==(Int a, Int b) { return make_mask(a.batch == b.batch); }
+TESSERA_INLINE Mask operator!=(Int a, Int b) { return !(a == b); }
+TESSERA_INLINE Mask operator<(Int a, Int b) { return make_mask(a.batch < b.batch); }
+TESSERA_INLINE Mask operator>(Int a, Int b) { return make_mask(b.batch < a.batch); }
+TESSERA_INLINE Mask operator<=(Int a, Int b) { return !(b < a); }
+TESSERA_INLINE Mask operator>=(Int a, Int b) { return !(a < b); }
+
+TESSERA_INLINE Int min(Int a, Int b) { return make_int(native::min(a.raw(), b.raw())); }
+TESSERA_INLINE Int max(Int a, Int b) { return make_int(native::max(a.raw(), b.raw())); }
+TESSERA_INLINE Int clamp(Int x, Int low, Int high) { return min(max(x, low), high); }
+
+// ----------------------------------------------------------------------------------------------------------- float
+
+TESSERA_INLINE Int bits(Float x) { return make_int(native::bits(x.raw())); }
+TESSERA_INLINE Float from_bits(Int x) { return make_float(native::from_bits(x.raw())); }
+
+TESSERA_INLINE Float operator+(Float a, Float b) { return Float(a.batch + b.batch); }
+TESSERA_INLINE Float operator-(Float a, Float b) { return Float(a.batch - b.batch); }
+TESSERA_INLINE Float operator*(Float a, Float b) { return Float(a.batch * b.batch); }
+TESSERA_INLINE Float operator/(Float a, Float b) { return make_float(native::divide(a.raw(), b.raw())); }
+TESSERA_INLINE Float operator-(Float a) { return from_bits(bits(a) ^ Int(0x80000000u)); }
+TESSERA_INLINE Float& operator+=(Float& a, Float b) { return a = a + b; }
+TESSERA_INLINE Float& operator-=(Float& a, Float b) { return a = a - b; }
+TESSERA_INLINE Float& operator*=(Float& a, Float b) { return a = a * b; }
+TESSERA_INLINE Float& operator/=(Float& a, Float b) { return a = a / b; }
+
+// As in C: all false for NaN, but != true.
+TESSERA_INLINE Mask operator==(Float a, Float b) { return Mask(a.batch == b.batch); }
+TESSERA_INLINE Mask operator!=(Float a, Float b) { return Mask(a.batch != b.batch); }
+TESSERA_INLINE Mask operator<(Float a, Float b) { return Mask(a.batch < b.batch); }
+TESSERA_INLINE Mask operator<=(Float a, Float b) { return Mask(a.batch <= b.batch); }
+TESSERA_INLINE Mask operator>(Float a, Float b) { return Mask(b.batch < a.batch); }
+TESSERA_INLINE Mask operator>=(Float a, Float b) { return Mask(b.batch <= a.batch); }
+
+TESSERA_INLINE Float mul_add(Float a, Float b, Float c) {
+  return make_float(native::mul_add(a.raw(), b.raw(), c.raw()));
+}
+TESSERA_INLINE Float mul_sub(Float a, Float b, Float c) {
+  return make_float(native::mul_sub(a.raw(), b.raw(), c.raw()));
+}
+TESSERA_INLINE Float neg_mul_add(Float a, Float b, Float c) {
+  return make_float(native::neg_mul_add(a.raw(), b.raw(), c.raw()));
+}
+TESSERA_INLINE Float sqrt(Float x) { return make_float(native::sqrt(x.raw())); }
+TESSERA_INLINE Float floor(Float x) { return make_float(native::floor(x.raw())); }
+TESSERA_INLINE Float min(Float a, Float b) { return make_float(native::min(a.raw(), b.raw())); }
+TESSERA_INLINE Float max(Float a, Float b) { return make_float(native::max(a.raw(), b.raw())); }
+TESSERA_INLINE Float abs(Float x) { return from_bits(bits(x) & Int(0x7fffffff)); }
+TESSERA_INLINE Float copy_sign(Float magnitude, Float sign) {
+  return from_bits((bits(magnitude) & Int(0x7fffffff)) | (bits(sign) & Int(0x80000000u)));
+}
+TESSERA_INLINE Mask is_nan(Float x) { return x != x; }
+
+TESSERA_INLINE Float select(Mask m, Float a, Float b) { return Float(xsimd::select(m.batch, a.batch, b.batch)); }
+TESSERA_INLINE Int select(Mask m, Int a, Int b) { return bits(select(m, from_bits(a), from_bits(b))); }
+
+TESSERA_INLINE Int truncate_to_int(Float x) { return make_int(native::truncate_to_int(x.raw())); }
+TESSERA_INLINE Int round_to_int(Float x) { return make_int(native::round_to_int(x.raw())); }
+TESSERA_INLINE Float to_float(Int x) { return make_float(native::to_float(x.raw())); }
+TESSERA_INLINE Float half_to_float(Int x) { return make_float(native::half_to_float(x.raw())); }
+TESSERA_INLINE Int float_to_half(Float x) { return make_int(native::float_to_half(x.raw())); }
+
+// ---------------------------------------------------------------------------------------------------------- memory
+
+template <>
+TESSERA_INLINE Float load<Float>(const float* p) {
+  return Float(Float::Batch::load_unaligned(p));
+}
+template <>
+TESSERA_INLINE Int load_int<Int>(const std::int32_t* p) {
+  return Int(Int::Batch::load_unaligned(p));
+}
+template <>
+TESSERA_INLINE Float load_half<Float>(const std::uint16_t* p) {
+  return make_float(native::load_half(p));
+}
+TESSERA_INLINE void store(float* p, Float x) { x.batch.store_unaligned(p); }
+TESSERA_INLINE void store(std::int32_t* p, Int x) { x.batch.store_unaligned(p); }
+TESSERA_INLINE void store_half(std::uint16_t* p, Float x) { native::store_half(p, x.raw()); }
+
+// Only lanes in the mask are written.
+TESSERA_INLINE void store_masked(float* p, Float x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
+TESSERA_INLINE void store_masked(std::int32_t* p, Int x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
+
+// Writes the lanes in the mask one after another, nothing beyond them, and says how many.
+TESSERA_INLINE int compress_store(std::int32_t* out, Int x, Mask m) {
+  return native::compress_store(out, x.raw(), m.raw());
+}
+
+// p[index] per lane; with a mask, inactive lanes are 0 and their memory is not touched.
+TESSERA_INLINE Float gather(const float* p, Int index) { return make_float(native::gather<4>(p, index.raw())); }
+TESSERA_INLINE Int gather(const std::int32_t* p, Int index) {
+  return bits(make_float(native::gather<4>(p, index.raw())));
+}
+TESSERA_INLINE Float gather(const float* p, Int index, Mask active) {
+  return make_float(native::gather<4>(p, index.raw(), active.raw()));
+}
+TESSERA_INLINE Int gather(const std::int32_t* p, Int index, Mask active) {
+  return bits(make_float(native::gather<4>(p, index.raw(), active.raw())));
+}
+// The 32 bits at base + byte_offset (signed, any alignment).
+TESSERA_INLINE Int gather_bytes(const void* base, Int byte_offset) {
+  return bits(make_float(native::gather<1>(base, byte_offset.raw())));
+}
+TESSERA_INLINE Int gather_bytes(const void* base, Int byte_offset, Mask active) {
+  return bits(make_float(native::gather<1>(base, byte_offset.raw(), active.raw())));
+}
+
+// ----------------------------------------------------------------------------------------------------------- lanes
+
+alignas(64) constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+TESSERA_INLINE Int lane_index() { return load_int<Int>(lane_numbers); }
+// Lanes 0 to n - 1; n may be anything.
+TESSERA_INLINE Mask first_lanes(int n) { return lane_index() < Int(n); }
+
+TESSERA_INLINE float lane(Float x, int i) {
+  float lanes[Float::lanes];
+  store(lanes, x);
+  return lanes[i];
+}
+TESSERA_INLINE std::int32_t lane(Int x, int i) {
+  std::int32_t lanes[Int::lanes];
+  store(lanes, x);
+  return lanes[i];
+}
+TESSERA_INLINE bool lane(Mask m, int i) { return to_bits(m) >> i & 1; }
+
+// --------------------------------------------------------------------------------------------- for any number type
+
+// x between low and high; NaN -> low.
+template <class F>
+TESSERA_INLINE F clamp(F x, F low, F high) {
+  return min(max(x, low), high);
+}
+// x between 0 and 1; NaN -> 0.
+template <class F>
+TESSERA_INLINE F saturate(F x) {
+  return clamp(x, F(0), F(1));
+}
+// ab - cd within 1.5 ulp, no cancellation. Kahan; Jeannerod, Louvet and Muller 2013, "Further analysis of Kahan's
+// algorithm for the accurate computation of 2x2 determinants".
+template <class F>
+TESSERA_INLINE F difference_of_products(F a, F b, F c, F d) {
+  const F cd = c * d;
+  const F error = neg_mul_add(c, d, cd);
+  const F difference = mul_sub(a, b, cd);
+  return difference + error;
+}
+
+}  // namespace
+}  // namespace tessera::TESSERA_ISA
