@@ -8,6 +8,9 @@ if(TESSERA_KERNEL_TESTS)
   add_executable(kernel_tests ${TESSERA_KERNEL_TESTS})
   target_include_directories(kernel_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_include_directories(kernel_tests SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
+  # Tests that evaluate kernel templates in double get the baseline instruction set, which every machine here has.
+  list(GET TESSERA_ISAS 0 TESSERA_BASELINE_ISA)
+  target_compile_options(kernel_tests PRIVATE ${TESSERA_FLAGS_${TESSERA_BASELINE_ISA}})
   target_link_libraries(kernel_tests PRIVATE tessera_flags tessera_kernels GTest::gtest_main
                         $<TARGET_NAME_IF_EXISTS:tessera_reference>)
   gtest_discover_tests(kernel_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
