@@ -3,48 +3,40 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 namespace tessera {
 namespace {
 
-constexpr std::int64_t first_draw = 1000, draw_interval = 100;  // milliseconds
+constexpr std::chrono::milliseconds first_draw{1000}, draw_interval{100};
 constexpr std::size_t bar_width = 30;
 
 }  // namespace
 
-Progress::Progress(Show show)
-    : enabled_(show == Show::always || (show == Show::on_terminal && isatty(STDERR_FILENO) == 1)),
-      next_draw_(first_draw) {}
+Progress::Progress(Show show) {
+  if (show == Show::always || (show == Show::on_terminal && isatty(STDERR_FILENO) == 1))
+    drawer_ = std::thread([this] { draw_until_finished(); });
+}
 
 Progress::~Progress() { finish(); }
 
-std::int64_t Progress::milliseconds() const {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start_).count();
-}
-
 void Progress::begin(std::string_view stage, std::size_t total) {
-  if (!enabled_) return;
-  const std::lock_guard lock(drawing_);
+  const std::lock_guard lock(mutex_);
   stage_ = stage;
   total_ = total;
   done_.store(0, std::memory_order_relaxed);
-  const std::int64_t now = milliseconds();
-  if (now >= first_draw) draw(now);
 }
 
-void Progress::advance(std::size_t steps) {
-  if (!enabled_) return;
-  done_.fetch_add(steps, std::memory_order_relaxed);
-  const std::int64_t now = milliseconds();
-  if (now < next_draw_.load(std::memory_order_relaxed)) return;
-  const std::unique_lock lock(drawing_, std::try_to_lock);
-  if (lock.owns_lock()) draw(now);
+void Progress::draw_until_finished() {
+  std::unique_lock lock(mutex_);
+  if (changed_.wait_for(lock, first_draw, [this] { return finished_; })) return;
+  do draw();
+  while (!changed_.wait_for(lock, draw_interval, [this] { return finished_; }));
+  std::fputs("\r\033[K", stderr);
 }
 
-void Progress::draw(std::int64_t now) {
-  next_draw_.store(now + draw_interval, std::memory_order_relaxed);
-  drawn_ = true;
+void Progress::draw() const {
   if (total_ == 0) {
     std::fprintf(stderr, "\r\033[K%s ...", stage_.c_str());
   } else {
@@ -57,9 +49,12 @@ void Progress::draw(std::int64_t now) {
 }
 
 void Progress::finish() {
-  const std::lock_guard lock(drawing_);
-  if (drawn_) std::fputs("\r\033[K", stderr);
-  drawn_ = false;
+  {
+    const std::lock_guard lock(mutex_);
+    finished_ = true;
+  }
+  changed_.notify_all();
+  if (drawer_.joinable()) drawer_.join();
 }
 
 }  // namespace tessera

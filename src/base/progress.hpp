@@ -1,17 +1,17 @@
 // How far a long job is, drawn on one line of a terminal.
 #pragma once
 #include <atomic>
-#include <chrono>
+#include <condition_variable>
 #include <cstddef>
-#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace tessera {
 
 /// A job goes through stages, each of a known number of steps. Nothing is drawn before the job is a second old, nor
-/// more than ten times a second; the line is erased at the end.
+/// more than ten times a second; the line is erased at the end. A thread of its own draws, so that counting is cheap.
 class Progress {
  public:
   enum class Show { never, on_terminal, always };  // on_terminal: if standard error is one
@@ -21,24 +21,23 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// Starts a stage of `total` steps (0: unknown). Not while another thread advances.
-  void begin(std::string_view stage, std::size_t total);
+  void begin(std::string_view stage, std::size_t total = 0);
   /// Counts steps done. From any thread.
-  void advance(std::size_t steps = 1);
+  void advance(std::size_t steps = 1) { done_.fetch_add(steps, std::memory_order_relaxed); }
   /// Ends the job and erases the line.
   void finish();
 
  private:
-  void draw(std::int64_t now);
-  [[nodiscard]] std::int64_t milliseconds() const;
+  void draw_until_finished();
+  void draw() const;
 
-  const bool enabled_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<std::size_t> done_{0};
-  std::atomic<std::int64_t> next_draw_;
-  std::mutex drawing_;  // guards what follows
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
   std::string stage_;
   std::size_t total_ = 0;
-  bool drawn_ = false;
+  bool finished_ = false;
+  std::thread drawer_;  // runs only if there is something to draw on
 };
 
 }  // namespace tessera
