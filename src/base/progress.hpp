@@ -20,10 +20,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Starts a stage of `total` steps (0: unknown). Not while another thread advances.
+  /// Starts a stage of `total` steps (0: unknown).
   void begin(std::string_view stage, std::size_t total = 0);
-  /// Counts steps done. From any thread.
-  void advance(std::size_t steps = 1) { done_.fetch_add(steps, std::memory_order_relaxed); }
+  /// Tells how many steps are done. From any thread.
+  void set(std::size_t done) { done_.store(done, std::memory_order_relaxed); }
   /// Ends the job and erases the line.
   void finish();
 

@@ -49,6 +49,7 @@ OutputFile::OutputFile(const std::string& target) : target_(target), name_(targe
     const std::string name =
         fmt::format(".{}.tessera-{}-{}", leaf.string().substr(0, 100), ::getpid(), counter.fetch_add(1));
     temporary_ = (folder / name).string();
+    guard_ = FileGuard(temporary_);
     const int descriptor = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
       file_ = ::fdopen(descriptor, "w+b");
@@ -60,6 +61,7 @@ OutputFile::OutputFile(const std::string& target) : target_(target), name_(targe
   if (file_ == nullptr) {
     const int reason = errno;
     temporary_.clear();
+    guard_.release();
     throw cannot_write(name_, reason);
   }
 }
@@ -107,6 +109,7 @@ void OutputFile::commit() {
   if (std::fclose(file) != 0) throw cannot_write(name_, errno);
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw cannot_write(name_, errno);
   temporary_.clear();
+  guard_.release();
 }
 
 }  // namespace tessera

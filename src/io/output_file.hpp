@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <string>
 
+#include "base/interrupt.hpp"
+
 namespace tessera {
 
 /// A file under construction: written beside its target and renamed over it by commit(); removed if that is never
@@ -27,6 +29,7 @@ class OutputFile {
   void copy_to_target();
 
   std::string target_, name_, temporary_;
+  FileGuard guard_;  // of the temporary
   bool copy_ = false;  // commit by copying
   std::FILE* file_ = nullptr;
 };
