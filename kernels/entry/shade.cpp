@@ -1,6 +1,46 @@
+// Shading of G-buffers, and the visible background.
 #include "kernels/entry/entries.hpp"
+#include "kernels/light/environment.hpp"
+#include "kernels/shade/tile.hpp"
 
 namespace tessera::TESSERA_ISA {
-void shade(const ShadeArgs&) { __builtin_trap(); }
-void background(const BackgroundArgs&) { __builtin_trap(); }
+
+void shade(const ShadeArgs& given) {
+  // What these fragments use and this scene has.
+  ShadeArgs args = given;
+  if (!(args.features & feature_lights)) args.light_count = 0;
+  if (args.light_count == 0) args.features &= ~feature_lights;
+  if (!args.environment.specular.texels) args.features &= ~feature_environment;
+  // The sets that scenes are made of have their own instance; the others run the next larger one.
+  constexpr std::uint32_t lit = feature_lights | feature_environment;
+  switch (args.features) {
+    case feature_lights:
+      return shade_tile<feature_lights>(args);
+    case feature_environment:
+      return shade_tile<feature_environment>(args);
+    case lit:
+      return shade_tile<lit>(args);
+    case feature_unlit:
+      return shade_tile<feature_unlit>(args);
+    default:
+      break;
+  }
+  if (args.features & feature_environment) return shade_tile<feature_all>(args);
+  return shade_tile<feature_all & ~feature_environment>(args);
+}
+
+void background(const BackgroundArgs& args) {
+  for (std::uint32_t i = 0; i < args.count; i += Float::lanes) {
+    const Float x = load<Float>(args.x + i), y = load<Float>(args.y + i);
+    const auto along = [&](int axis) {
+      return mul_add(y, Float(args.dy[axis]), mul_add(x, Float(args.dx[axis]), Float(args.corner[axis])));
+    };
+    const Vec3<Float> direction = {along(0), along(1), along(2)};
+    const Vec3<Float> radiance = clamp_radiance(sample_cube_uniform(args.cube, direction, args.lod));
+    store(args.radiance[0] + i, radiance.x);
+    store(args.radiance[1] + i, radiance.y);
+    store(args.radiance[2] + i, radiance.z);
+  }
+}
+
 }  // namespace tessera::TESSERA_ISA

@@ -1,0 +1,43 @@
+// The GGX specular lobe with height-correlated Smith masking, as the light loop evaluates it.
+//
+// With H = l + v not normalised, N = n.H (by linearity n.l + n.v) and T = |H - n N|^2:
+//   D = alpha^2 |H|^4 / (pi (T + alpha^2 N^2)^2)        the stable form of distribution.hpp, scaled by |H|^2
+//   V = 1 / (2 (NoL root(NoV) + NoV root(NoL)))
+//   D V = alpha^2/(2 pi) |H|^4 / ((T + alpha^2 N^2)^2 (NoL root(NoV) + NoV root(NoL)))
+// one division in all, and no reciprocal of |H|.
+#pragma once
+#include "kernels/bsdf/distribution.hpp"
+#include "kernels/bsdf/masking.hpp"
+
+namespace tessera::TESSERA_ISA {
+namespace {
+
+/// What depends on the surface and the eye only.
+template <class F>
+struct GGXLobe {
+  F alpha2, half_alpha2_over_pi;
+  F NoV, root_v;  // root_v = smith_root_GGX(NoV, alpha2)
+};
+
+/// NoV in [1e-4,1], alpha in [0.002,1].
+template <class F>
+TESSERA_INLINE GGXLobe<F> ggx_lobe(F NoV, F alpha) {
+  const F alpha2 = alpha * alpha;
+  return {alpha2, alpha2 * F(0.5 / pi), NoV, smith_root_GGX(NoV, alpha2)};
+}
+
+/// D V for H = l + v: H2 = |H|^2, NoH = max(n.H, 0), tangential2 = |H - n NoH|^2, NoL in [0,1].
+template <class F>
+TESSERA_INLINE F DV_GGX(const GGXLobe<F>& lobe, F H2, F NoH, F tangential2, F NoL) {
+  // Walter 2007, eq. 33 and Heitz 2014, eq. 99, fused as derived above.
+  const F t = mul_add(lobe.alpha2 * NoH, NoH, tangential2);
+  const F masked_v = NoL * lobe.root_v;
+  const F masked_l = mul_add(lobe.NoV, smith_root_GGX(NoL, lobe.alpha2), masked_v);
+  // 1e-36: l = -v makes t and H2 vanish together. Where both directions are above the horizon by 1e-6 or more, t >=
+  // alpha^2 |H|^2 keeps the product above it.
+  const F denominator = max(t * t * masked_l, F(1e-36));
+  return lobe.half_alpha2_over_pi * (H2 * H2) / denominator;
+}
+
+}  // namespace
+}  // namespace tessera::TESSERA_ISA
