@@ -99,7 +99,8 @@ enum ProjectedFlags : std::uint32_t {
   outside_bottom = 8,
   outside_near = 16,
   outside_far = 32,
-  needs_clip = 64,  // nearer than the near plane, or beyond the guard band: x, y, depth are not valid
+  needs_clip = 64,   // nearer than the near plane, or beyond the guard band: x, y, depth are not valid
+  not_finite = 128,  // a coordinate is infinite or NaN: the vertex's triangles are dropped
 };
 
 struct ProjectedVertex {

@@ -1,13 +1,44 @@
+#include "kernels/raster/coverage.hpp"
+
 #include "kernels/entry/entries.hpp"
+#include "kernels/raster/fragments.hpp"
+#include "kernels/raster/pattern.hpp"
 
 namespace tessera::TESSERA_ISA {
-SamplePattern sample_pattern(int) { __builtin_trap(); }
-void clear_visibility(const VisibilityTile&) { __builtin_trap(); }
-void rasterize_opaque(const RasterizeArgs&, RasterCounters*) { __builtin_trap(); }
-std::uint32_t collect_triangle(const VisibilityTile&, const SetupTriangle&, bool, Fragment*) { __builtin_trap(); }
-void commit_fragments(const VisibilityTile&, const SetupTriangle&, const Fragment*, const std::uint8_t*,
-                      std::uint32_t) {
-  __builtin_trap();
+
+SamplePattern sample_pattern(int samples) { return standard_pattern(samples); }
+
+void clear_visibility(const VisibilityTile& tile) {
+  const Float far(0);
+  const Int nothing(no_triangle);
+  for (int i = 0; i < tile.samples * tile_pixels; i += Float::lanes) {
+    store(tile.depth + i, far);
+    store(reinterpret_cast<std::int32_t*>(tile.triangle) + i, nothing);
+  }
 }
-std::uint32_t collect_visible(const VisibilityTile&, Fragment*) { __builtin_trap(); }
+
+void rasterize_opaque(const RasterizeArgs& args, RasterCounters* counters) {
+  const SamplePattern pattern = standard_pattern(args.tile.samples);
+  const SampleExtent extent = sample_extent(pattern);
+  RasterCounters sum = *counters;
+  for (std::uint32_t i = 0; i < args.count; ++i) {
+    rasterize_triangle(args.tile, args.triangles[args.list[i]], pattern, extent, sum);
+  }
+  *counters = sum;
+}
+
+std::uint32_t collect_triangle(const VisibilityTile& tile, const SetupTriangle& triangle, bool split_samples,
+                               Fragment* out) {
+  return triangle_fragments(tile, triangle, standard_pattern(tile.samples), split_samples, out);
+}
+
+void commit_fragments(const VisibilityTile& tile, const SetupTriangle& triangle, const Fragment* fragments,
+                      const std::uint8_t* keep, std::uint32_t count) {
+  write_fragments(tile, triangle, standard_pattern(tile.samples), fragments, keep, count);
+}
+
+std::uint32_t collect_visible(const VisibilityTile& tile, Fragment* out) {
+  return tile.samples == 1 ? visible_single(tile, out) : visible_multi(tile, out);
+}
+
 }  // namespace tessera::TESSERA_ISA

@@ -1,6 +1,38 @@
 #include "kernels/entry/entries.hpp"
+#include "kernels/raster/project.hpp"
+#include "kernels/raster/setup.hpp"
 
 namespace tessera::TESSERA_ISA {
-void project_vertices(const ViewTransform&, const float*, std::uint32_t, ProjectedVertex*) { __builtin_trap(); }
-std::uint32_t setup_triangles(const SetupTrianglesArgs&) { __builtin_trap(); }
+
+void project_vertices(const ViewTransform& view, const float* positions, std::uint32_t count, ProjectedVertex* out) {
+  for (std::uint32_t first = 0; first < count; first += Float::lanes) {
+    // The last vector repeats the last vertex: nothing is read or written past the end.
+    const std::uint32_t left = count - first;
+    const int used = left < std::uint32_t(Float::lanes) ? int(left) : Float::lanes;
+    const Int lane = lane_index();
+    const Int vertex = select(lane < Int(used), lane, Int(used - 1));
+    const Int index = vertex + vertex + vertex;
+    const float* p = positions + std::size_t(3) * first;
+    const Projected<Float> v =
+        project(view, to_clip(view, gather(p, index), gather(p + 1, index), gather(p + 2, index)));
+    alignas(64) std::int32_t x[Float::lanes], y[Float::lanes], flags[Float::lanes];
+    alignas(64) float depth[Float::lanes];
+    store(x, v.x);
+    store(y, v.y);
+    store(depth, v.depth);
+    store(flags, v.flags);
+    for (int i = 0; i < used; ++i) out[first + i] = {x[i], y[i], depth[i], std::uint32_t(flags[i])};
+  }
+}
+
+std::uint32_t setup_triangles(const SetupTrianglesArgs& args) {
+  const SamplePattern pattern = standard_pattern(args.samples);
+  std::uint32_t written = 0;
+  args.counters->in += args.count;
+  for (std::uint32_t i = 0; i < args.count; ++i) {
+    written += setup_one(args, pattern, args.first + i, args.out + written);
+  }
+  return written;
+}
+
 }  // namespace tessera::TESSERA_ISA
