@@ -53,6 +53,8 @@ inline std::uint32_t triangle_fragments(const VisibilityTile& tile, const SetupT
   return count;
 }
 
+/// Writes the fragments that are kept. Tests depth again: the caller may have collected several triangles before it
+/// commits them.
 inline void write_fragments(const VisibilityTile& tile, const SetupTriangle& triangle, const SamplePattern& pattern,
                             const Fragment* fragments, const std::uint8_t* keep, std::uint32_t count) {
   const DepthPlane<float> plane(triangle);
@@ -63,8 +65,13 @@ inline void write_fragments(const VisibilityTile& tile, const SetupTriangle& tri
       const int s = __builtin_ctz(left);
       const float along = plane.along_x(from_vertex(tile.x << subpixel_bits, x, pattern.x[s], triangle.x[0]));
       const float from_y = from_vertex(tile.y << subpixel_bits, y, pattern.y[s], triangle.y[0]);
-      tile.depth[s * tile_pixels + pixel] = plane.at(along, from_y);
-      tile.triangle[s * tile_pixels + pixel] = triangle.triangle;
+      const float depth = plane.at(along, from_y);
+      float& old_depth = tile.depth[s * tile_pixels + pixel];
+      std::uint32_t& old_triangle = tile.triangle[s * tile_pixels + pixel];
+      if (depth > old_depth || (depth == old_depth && triangle.triangle < old_triangle)) {
+        old_depth = depth;
+        old_triangle = triangle.triangle;
+      }
     }
   }
 }
