@@ -1,0 +1,86 @@
+// What rasterization must give, written from the definition in wide integers, one sample at a time.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "kernels/interface.hpp"
+
+namespace tessera::raster_test {
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t next() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+  }
+  /// low to high, both included
+  int between(int low, int high) {
+    return low + static_cast<int>(next() % (static_cast<std::uint64_t>(std::int64_t{high} - low) + 1));
+  }
+  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+  float real(double low, double high) { return static_cast<float>(low + (high - low) * unit()); }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Positive for counter-clockwise on the screen (y down).
+inline __int128 twice_area(const SetupTriangle& t) {
+  return static_cast<__int128>(t.x[2] - t.x[0]) * (t.y[1] - t.y[0]) -
+         static_cast<__int128>(t.x[1] - t.x[0]) * (t.y[2] - t.y[0]);
+}
+
+/// Whether a triangle of positive area covers a point (1/256 pixel). The top-left rule is the point moved right by an
+/// infinitesimal amount, and down by one infinitely smaller still.
+inline bool covers(const SetupTriangle& t, std::int64_t px, std::int64_t py) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const auto side = [&](std::int64_t x, std::int64_t y) {
+      return static_cast<__int128>(x - t.x[i]) * (t.y[j] - t.y[i]) -
+             static_cast<__int128>(y - t.y[i]) * (t.x[j] - t.x[i]);
+    };
+    const __int128 here = side(px, py);
+    if (here > 0) continue;
+    if (here < 0) return false;
+    const __int128 right = side(px + 1, py);
+    if (right > 0) continue;
+    if (right < 0) return false;
+    if (side(px, py + 1) <= 0) return false;
+  }
+  return true;
+}
+
+struct Tile {  // memory of a VisibilityTile
+  std::vector<float> depth;
+  std::vector<std::uint32_t> triangle;
+  VisibilityTile view;
+
+  Tile(int x, int y, int width, int height, int samples)
+      : depth(std::size_t(samples) * tile_pixels),
+        triangle(std::size_t(samples) * tile_pixels, no_triangle),
+        view{x, y, width, height, samples, depth.data(), triangle.data()} {}
+  Tile(const Tile&) = delete;
+  Tile& operator=(const Tile&) = delete;
+};
+
+inline SetupTriangle make_triangle(int x0, int y0, int x1, int y1, int x2, int y2, std::uint32_t id = 0) {
+  return {{x0, x1, x2}, {y0, y1, y2}, 0.5f, 0, 0, 0.5f, 0.5f, id};
+}
+
+/// Turns it round if needed; false if it has no area.
+inline bool orient(SetupTriangle& t) {
+  const __int128 area = twice_area(t);
+  if (area < 0) {
+    std::swap(t.x[1], t.x[2]);
+    std::swap(t.y[1], t.y[2]);
+  }
+  return area != 0;
+}
+
+}  // namespace tessera::raster_test
