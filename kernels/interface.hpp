@@ -61,6 +61,10 @@ enum class TexelFormat : std::uint32_t { rgba8_unorm, rgba16_float };
 enum class WrapMode : std::uint32_t { repeat, mirrored_repeat, clamp_to_edge };
 enum class FilterMode : std::uint32_t { nearest, linear };
 
+inline constexpr int max_texture_size = 16384;  // along a side
+inline constexpr int max_texture_levels = 15;
+inline constexpr std::size_t max_texture_texels = std::size_t{1} << 28;  // with mips: offsets stay below 2^31 bytes
+
 struct TextureView {
   const void* texels;  // mip 0 first, levels one after another, rows top to bottom
   TexelFormat format;

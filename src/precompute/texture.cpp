@@ -1,0 +1,209 @@
+#include "precompute/texture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+
+namespace tessera {
+namespace {
+
+constexpr float largest_half = 65504;
+
+std::size_t bytes_per_channel(PixelType type) { return type == PixelType::u8 ? 1 : type == PixelType::f32 ? 4 : 2; }
+
+std::size_t texels_of(int width, int height, int levels) {
+  std::size_t count = 0;
+  for (int k = 0; k < levels; ++k) count += std::size_t(std::max(1, width >> k)) * std::max(1, height >> k);
+  return count;
+}
+
+int full_levels(int width, int height) {
+  int levels = 1;
+  for (int size = std::max(width, height); size > 1; size >>= 1) ++levels;
+  return levels;
+}
+
+void check(const SourceImage& image) {
+  if (image.width < 1 || image.height < 1)
+    throw input_error("image '{}': {} x {} pixels; expected at least 1 x 1", image.name, image.width, image.height);
+  if (image.width > max_texture_size || image.height > max_texture_size)
+    throw input_error("image '{}': {} x {} pixels; at most {} along a side are supported", image.name, image.width,
+                      image.height, max_texture_size);
+  if (texels_of(image.width, image.height, full_levels(image.width, image.height)) > max_texture_texels)
+    throw input_error("image '{}': {} x {} pixels; at most {} texels with all mip levels are supported", image.name,
+                      image.width, image.height, max_texture_texels);
+  if (image.channels < 1 || image.channels > 4)
+    throw input_error("image '{}': {} channels; expected 1 to 4", image.name, image.channels);
+  const std::size_t expected = std::size_t(image.width) * image.height * image.channels * bytes_per_channel(image.type);
+  if (image.pixels.size() != expected)
+    throw input_error("image '{}': {} bytes of pixels; expected {}", image.name, image.pixels.size(), expected);
+}
+
+// One row of any source, as floats, still in the file's encoding. 16-bit samples may be unaligned.
+class RowReader {
+ public:
+  RowReader(const SourceImage& image, Encoding encoding, const Kernels& kernels)
+      : image_(image), kernels_(kernels), count_(std::size_t(image.width) * image.channels), wide_(count_) {
+    srgb_ = encoding == Encoding::srgb && (image.type == PixelType::u8 || image.type == PixelType::u16);
+    for (int i = 0; i < 256; ++i) linear_[i] = decoded_[i] = float(i) / 255.0f;
+    if (srgb_) kernels.evaluate(MathFunction::srgb_to_linear, linear_.data(), nullptr, decoded_.data(), 256);
+  }
+
+  // RGBA, linear, clamped to what a half holds.
+  void read(int y, float* rgba) {
+    const std::byte* row = image_.pixels.data() + std::size_t(y) * count_ * bytes_per_channel(image_.type);
+    switch (image_.type) {
+      case PixelType::u8:
+        for (std::size_t i = 0; i < count_; ++i) wide_[i] = decoded_[std::to_integer<unsigned>(row[i])];
+        if (srgb_) restore_alpha([&](std::size_t i) { return linear_[std::to_integer<unsigned>(row[i])]; });
+        break;
+      case PixelType::u16:
+        load16(row);
+        for (std::size_t i = 0; i < count_; ++i) wide_[i] = float(narrow_[i]) / 65535.0f;
+        if (srgb_) {
+          kernels_.evaluate(MathFunction::srgb_to_linear, wide_.data(), nullptr, wide_.data(), count_);
+          restore_alpha([&](std::size_t i) { return float(narrow_[i]) / 65535.0f; });
+        }
+        break;
+      case PixelType::half:
+        load16(row);
+        kernels_.unpack_half(narrow_.data(), wide_.data(), count_);
+        break;
+      case PixelType::f32:
+        std::memcpy(wide_.data(), row, count_ * sizeof(float));
+        break;
+    }
+    for (float& x : wide_) x = x > 0 ? std::min(x, largest_half) : 0.0f;  // NaN fails the comparison
+    spread(rgba);
+  }
+
+ private:
+  void load16(const std::byte* row) {
+    narrow_.resize(count_);
+    std::memcpy(narrow_.data(), row, count_ * 2);
+  }
+
+  template <class Linear>
+  void restore_alpha(const Linear& linear) {
+    if (image_.channels % 2 != 0) return;
+    for (std::size_t i = image_.channels - 1; i < count_; i += image_.channels) wide_[i] = linear(i);
+  }
+
+  void spread(float* rgba) const {
+    const int channels = image_.channels;
+    for (int x = 0; x < image_.width; ++x) {
+      const float* in = wide_.data() + std::size_t(x) * channels;
+      float* out = rgba + std::size_t(x) * 4;
+      out[0] = in[0];
+      out[1] = channels >= 3 ? in[1] : in[0];
+      out[2] = channels >= 3 ? in[2] : in[0];
+      out[3] = channels == 2 ? in[1] : channels == 4 ? in[3] : 1.0f;
+    }
+  }
+
+  const SourceImage& image_;
+  const Kernels& kernels_;
+  std::size_t count_;  // numbers in a row
+  AlignedVector<float> wide_;
+  std::vector<std::uint16_t> narrow_;
+  bool srgb_;
+  std::array<float, 256> linear_, decoded_;
+};
+
+void pack(const AlignedVector<float>& rgba, TexelFormat format, std::byte* out, const Kernels& kernels) {
+  if (format == TexelFormat::rgba16_float) {
+    kernels.pack_half(rgba.data(), reinterpret_cast<std::uint16_t*>(out), rgba.size());
+    return;
+  }
+  for (std::size_t i = 0; i < rgba.size(); ++i) {
+    const float scaled = std::min(rgba[i], 1.0f) * 255.0f + 0.5f;
+    out[i] = static_cast<std::byte>(static_cast<int>(scaled));
+  }
+}
+
+}  // namespace
+
+TextureData build_texture(const SourceImage& image, Encoding encoding, bool mipmapped, const Kernels& kernels) {
+  check(image);
+  TextureData data;
+  const bool bytes = image.type == PixelType::u8 && encoding == Encoding::linear;
+  data.format = bytes ? TexelFormat::rgba8_unorm : TexelFormat::rgba16_float;
+  data.width = image.width;
+  data.height = image.height;
+  data.levels = mipmapped ? full_levels(image.width, image.height) : 1;
+  const std::size_t texel_bytes = bytes ? 4 : 8;
+  data.texels.resize(texels_of(data.width, data.height, data.levels) * texel_bytes);
+
+  AlignedVector<float> level(std::size_t(image.width) * image.height * 4);
+  RowReader reader(image, encoding, kernels);
+  for (int y = 0; y < image.height; ++y) reader.read(y, level.data() + std::size_t(y) * image.width * 4);
+
+  std::byte* out = data.texels.data();
+  int width = image.width, height = image.height;
+  for (int k = 0; k < data.levels; ++k) {
+    if (k > 0) {
+      AlignedVector<float> smaller(std::size_t(std::max(1, width / 2)) * std::max(1, height / 2) * 4);
+      kernels.downsample({level.data(), width, height, smaller.data()});
+      level.swap(smaller);
+      width = std::max(1, width / 2);
+      height = std::max(1, height / 2);
+    }
+    pack(level, data.format, out, kernels);
+    out += level.size() / 4 * texel_bytes;
+  }
+  return data;
+}
+
+void TextureSet::build(const Scene& scene, std::span<const Use> uses, const Kernels& kernels) {
+  struct Job {
+    int image;
+    Encoding encoding;
+    bool mipmapped;
+    TextureData* out;
+  };
+  std::map<std::pair<int, Encoding>, bool> wanted;  // image -> with mips
+  for (const Use& use : uses) {
+    if (use.texture < 0 || std::size_t(use.texture) >= scene.textures.size()) continue;
+    const Texture& texture = scene.textures[use.texture];
+    if (texture.image < 0 || std::size_t(texture.image) >= scene.images.size()) continue;
+    wanted[{texture.image, use.encoding}] |= texture.sampler.mipmapped;
+  }
+  std::vector<Job> jobs;
+  for (const auto& [key, mipmapped] : wanted) {
+    TextureData& data = images_[key];
+    if (data.levels == 0 || (mipmapped && data.levels < full_levels(data.width, data.height)))
+      jobs.push_back({key.first, key.second, mipmapped, &data});
+  }
+  parallel_for(jobs.size(), [&](std::size_t i) {
+    const Job& job = jobs[i];
+    *job.out = build_texture(scene.images[job.image], job.encoding, job.mipmapped, kernels);
+  });
+  for (const Use& use : uses) {
+    if (use.texture < 0 || std::size_t(use.texture) >= scene.textures.size()) continue;
+    const Texture& texture = scene.textures[use.texture];
+    const auto data = images_.find({texture.image, use.encoding});
+    if (data == images_.end()) continue;
+    const Sampler& s = texture.sampler;
+    const TextureData& d = data->second;
+    textures_[{use.texture, use.encoding}] = {d.texels.data(), d.format,  d.width,  d.height, d.levels,   s.wrap_u,
+                                              s.wrap_v,        s.magnify, s.minify, s.mip,    s.mipmapped};
+  }
+}
+
+const TextureView* TextureSet::find(Use use) const {
+  const auto found = textures_.find({use.texture, use.encoding});
+  return found == textures_.end() ? nullptr : &found->second;
+}
+
+std::size_t TextureSet::bytes() const {
+  std::size_t total = 0;
+  for (const auto& [key, data] : images_) total += data.texels.size();
+  return total;
+}
+
+}  // namespace tessera
