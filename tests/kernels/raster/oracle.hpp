@@ -1,6 +1,7 @@
 // What rasterization must give, written from the definition in wide integers, one sample at a time.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -81,6 +82,55 @@ inline bool orient(SetupTriangle& t) {
     std::swap(t.y[1], t.y[2]);
   }
   return area != 0;
+}
+
+/// Depth at a sample: the formula of kernels/raster/edges.hpp, written out.
+inline float depth_at(const SetupTriangle& t, std::int64_t px, std::int64_t py) {
+  const float x = static_cast<float>(static_cast<double>(px - t.x[0]) / 256);
+  const float y = static_cast<float>(static_cast<double>(py - t.y[0]) / 256);
+  const float z = std::fma(t.depth_dy, y, std::fma(t.depth_dx, x, t.depth));
+  return std::min(std::max(z, t.depth_min), t.depth_max);
+}
+
+/// What the tile must hold after all triangles, in any order.
+inline void draw(const Tile& out, const SamplePattern& pattern, const std::vector<SetupTriangle>& triangles) {
+  for (int s = 0; s < pattern.count; ++s)
+    for (int y = 0; y < out.view.height; ++y)
+      for (int x = 0; x < out.view.width; ++x) {
+        const int i = s * tile_pixels + y * tile_size + x;
+        const std::int64_t px = (out.view.x + x) * 256 + pattern.x[s], py = (out.view.y + y) * 256 + pattern.y[s];
+        for (const SetupTriangle& t : triangles) {
+          if (!covers(t, px, py)) continue;
+          const float z = depth_at(t, px, py);
+          if (z > out.view.depth[i] || (z == out.view.depth[i] && t.triangle < out.view.triangle[i])) {
+            out.view.depth[i] = z;
+            out.view.triangle[i] = t.triangle;
+          }
+        }
+      }
+}
+
+/// Overlapping triangles of all sizes at a tile, with depth planes; some coplanar, so that depths are equal.
+inline std::vector<SetupTriangle> random_soup(Random& random, int tile_x, int tile_y, int count) {
+  std::vector<SetupTriangle> soup;
+  while (static_cast<int>(soup.size()) < count) {
+    const int extent = 256 << random.between(0, 6);
+    const int x = tile_x * 256 + random.between(-extent, tile_size * 256);
+    const int y = tile_y * 256 + random.between(-extent, tile_size * 256);
+    const auto at = [&](int from) { return from + random.between(0, extent); };
+    const int x0 = at(x), y0 = at(y), x1 = at(x), y1 = at(y), x2 = at(x);
+    SetupTriangle t = make_triangle(x0, y0, x1, y1, x2, at(y), static_cast<std::uint32_t>(random.next() >> 33));
+    if (!orient(t)) continue;
+    if (random.between(0, 2) != 0) {
+      t.depth = random.real(0.1, 0.9);
+      t.depth_dx = random.real(-0.02, 0.02);
+      t.depth_dy = random.real(-0.02, 0.02);
+      t.depth_min = t.depth - random.real(0, 0.3);
+      t.depth_max = t.depth + random.real(0, 0.3);
+    }
+    soup.push_back(t);
+  }
+  return soup;
 }
 
 }  // namespace tessera::raster_test
