@@ -292,26 +292,41 @@ struct BackgroundArgs {           // radiance of the environment along pixel ray
 // ----------------------------------------------------------------------------------------------------- tables, images
 
 struct DfgTableArgs {
-  float* out;
+  float* out;  // the whole table: DfgView::texels
   int size;
   int row_begin, row_end;
-  int samples;
 };
 
 struct EquirectView {   // radiance; column u = 0.5 + atan2(z, x) / 2pi, row v = acos(y) / pi from the top
-  const float* texels;  // RGB, stride 3
+  const float* texels;  // RGB, stride 3, finite and non-negative; width * height < 2^29
   int width, height;
 };
 
-struct CubeFaceArgs {     // writes one face of one level, without its border
-  EquirectView source;    // equirect_to_cube
-  CubeView radiance;      // prefilter_cube: bordered mips of plain radiance
-  float rotation[2];      // cos, sin of the environment's rotation about +Y
-  int face, level, size;  // size: of this level
+struct CubeRows {  // rows of one face that a kernel fills, without the border
+  int face, size;
   int row_begin, row_end;
-  float roughness;  // prefilter_cube
-  int samples;
-  float* out;  // RGBA float, size * size
+  float* out;  // RGBA, size * size of the whole face
+};
+
+struct EquirectToCubeArgs {
+  EquirectView source;
+  float rotation[2];  // cos, sin: the environment is turned about +Y, counter-clockwise seen from above
+  int samples;        // per texel, along each side: a box filter over samples^2 bilinear lookups
+  CubeRows rows;
+};
+
+// Points of a lobe about the +z axis: the same for all texels of a level.
+struct LobeSamples {
+  const float *x, *y, *z;  // unit directions
+  const float* weight;     // sums to 1
+  const float* lod;        // level of the radiance cube to read
+  int count;
+};
+
+struct PrefilterCubeArgs {
+  CubeView radiance;  // bordered mips of plain radiance
+  LobeSamples lobe;
+  CubeRows rows;
 };
 
 enum class ToneCurve : std::uint32_t { none, reinhard, aces, khronos_neutral };
@@ -409,8 +424,8 @@ struct Kernels {
 
   // entry/bake.cpp
   void (*dfg_table)(const DfgTableArgs&);
-  void (*equirect_to_cube)(const CubeFaceArgs&);
-  void (*prefilter_cube)(const CubeFaceArgs&);
+  void (*equirect_to_cube)(const EquirectToCubeArgs&);
+  void (*prefilter_cube)(const PrefilterCubeArgs&);
 
   // entry/image.cpp
   void (*encode)(const EncodeArgs&);

@@ -28,8 +28,8 @@ void shade(const ShadeArgs&);  // shade.cpp
 void background(const BackgroundArgs&);
 
 void dfg_table(const DfgTableArgs&);  // bake.cpp
-void equirect_to_cube(const CubeFaceArgs&);
-void prefilter_cube(const CubeFaceArgs&);
+void equirect_to_cube(const EquirectToCubeArgs&);
+void prefilter_cube(const PrefilterCubeArgs&);
 
 void encode(const EncodeArgs&);  // image.cpp
 void downsample(const DownsampleArgs&);

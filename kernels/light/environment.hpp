@@ -17,7 +17,7 @@ struct CubePoint {
 };
 
 template <class F>
-inline CubePoint<F> cube_point(const Vec3<F>& d) {
+TESSERA_INLINE CubePoint<F> cube_point(const Vec3<F>& d) {
   const F ax = abs(d.x), ay = abs(d.y), az = abs(d.z);
   const auto major_x = (ax >= ay) & (ax >= az);
   const auto major_y = ay >= az;
@@ -39,7 +39,7 @@ inline constexpr int mantissa_bits<double> = 52;
 
 /// Three channels of the texel with this index (counted from level 0).
 template <class F>
-inline Vec3<F> cube_texel(const CubeView& cube, IntOf<F> index) {
+TESSERA_INLINE Vec3<F> cube_texel(const CubeView& cube, IntOf<F> index) {
   const IntOf<F> offset = index << 3;
   const IntOf<F> rg = gather_bytes(cube.texels, offset);
   const IntOf<F> ba = gather_bytes(cube.texels + 2, offset);
@@ -62,15 +62,12 @@ inline Vec3<double> cube_texel<double>(const CubeView& cube, std::int64_t index)
   return cube_texel_scalar<double>(cube, index);
 }
 
-/// Bilinear lookup in one level, times weight. The border makes it seamless: no footprint leaves its face.
+/// Bilinear lookup, times weight, in the level of n = (float) ni texels along a face whose first texel has the index
+/// `start`. The border makes it seamless: no footprint leaves its face.
 template <class F>
-inline Vec3<F> sample_cube_bilinear(const CubeView& cube, const CubePoint<F>& p, IntOf<F> level, F weight) {
+TESSERA_INLINE Vec3<F> sample_cube_bilinear(const CubeView& cube, const CubePoint<F>& p, F n, IntOf<F> ni,
+                                            IntOf<F> start, F weight) {
   using I = IntOf<F>;
-  const F n0 = F(cube.size);
-  const F n = from_bits(bits(n0) - (level << mantissa_bits<F>));  // size >> level, exactly
-  const I ni = truncate_to_int(n);
-  const I size = I(cube.size);
-
   const F half = n * F(0.5);
   const F centre = half + F(0.5);  // texel 0's centre is at 1/2 in the face and at 3/2 with the border: s n + 1/2
   const F limit = n + F(0.5);
@@ -79,11 +76,8 @@ inline Vec3<F> sample_cube_bilinear(const CubeView& cube, const CubePoint<F>& p,
   const I i = truncate_to_int(x), j = truncate_to_int(y);
   const F fx = x - to_float(i), fy = y - to_float(j);
 
-  // 6 sum over k < level of ((size >> k) + 2)^2, summed: cube_level_offset per lane.
-  const I above = ((size - ni) * (size + ni + I(6)) << 3) + level * I(24);
   const I row = ni + I(2);
-  const I first = above + (p.face * row + j) * row + i;
-
+  const I first = start + (p.face * row + j) * row + i;
   const F wy1 = fy * weight, wy0 = weight - wy1;
   const F w01 = fx * wy0, w00 = wy0 - w01;
   const F w11 = fx * wy1, w10 = wy1 - w11;
@@ -91,6 +85,26 @@ inline Vec3<F> sample_cube_bilinear(const CubeView& cube, const CubePoint<F>& p,
   const Vec3<F> t10 = cube_texel<F>(cube, first + row), t11 = cube_texel<F>(cube, first + row + I(1));
   const auto blend = [&](F a, F b, F c, F d) { return mul_add(w11, d, mul_add(w10, c, mul_add(w01, b, w00 * a))); };
   return {blend(t00.x, t01.x, t10.x, t11.x), blend(t00.y, t01.y, t10.y, t11.y), blend(t00.z, t01.z, t10.z, t11.z)};
+}
+
+/// A level for each lane.
+template <class F>
+TESSERA_INLINE Vec3<F> sample_cube_level(const CubeView& cube, const CubePoint<F>& p, IntOf<F> level, F weight) {
+  using I = IntOf<F>;
+  const F n = from_bits(bits(F(cube.size)) - (level << mantissa_bits<F>));  // size >> level, exactly
+  const I ni = truncate_to_int(n), size = I(cube.size);
+  // cube_level_offset: 6 times the sum over k < level of ((size >> k) + 2)^2.
+  const I start = ((size - ni) * (size + ni + I(6)) << 3) + level * I(24);
+  return sample_cube_bilinear(cube, p, n, ni, start, weight);
+}
+
+/// One level for all lanes.
+template <class F>
+TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubePoint<F>& p, int level, float weight) {
+  using I = IntOf<F>;
+  const int n = cube.size >> level;
+  const int start = 8 * (cube.size - n) * (cube.size + n + 6) + 24 * level;
+  return sample_cube_bilinear(cube, p, F(n), I(n), I(start), F(weight));
 }
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
@@ -104,22 +118,21 @@ inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod
   const I fine = truncate_to_int(level);
   const I coarse = select(fine < I(cube.levels - 1), fine + I(1), fine);
   const F w = level - to_float(fine);
-  const Vec3<F> a = sample_cube_bilinear(cube, p, fine, F(1) - w);
-  const Vec3<F> b = sample_cube_bilinear(cube, p, coarse, w);
+  const Vec3<F> a = sample_cube_level(cube, p, fine, F(1) - w);
+  const Vec3<F> b = sample_cube_level(cube, p, coarse, w);
   return a + b;
 }
 
 /// As above with one lod for all lanes: a whole level is read once.
 template <class F>
 inline Vec3<F> sample_cube_uniform(const CubeView& cube, const Vec3<F>& direction, float lod) {
-  using I = IntOf<F>;
   const CubePoint<F> p = cube_point(direction);
   const float level = clamp(lod, 0.0f, float(cube.levels - 1));
   const std::int32_t fine = truncate_to_int(level);
   const float w = level - to_float(fine);
-  const Vec3<F> a = sample_cube_bilinear(cube, p, I(fine), F(1.0f - w));
+  const Vec3<F> a = sample_cube_whole_level(cube, p, fine, 1.0f - w);
   if (!(w > 0.0f)) return a;
-  return a + sample_cube_bilinear(cube, p, I(fine + 1), F(w));
+  return a + sample_cube_whole_level(cube, p, fine + 1, w);
 }
 
 /// E(n) / pi from nine coefficients (EnvironmentView::irradiance_sh), n a unit vector. Clamped to >= 0: a bright sun

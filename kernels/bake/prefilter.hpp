@@ -1,0 +1,45 @@
+// Radiance convolved with a lobe: one texel of a prefiltered cube per lane.
+#pragma once
+#include "kernels/interface.hpp"
+#include "kernels/light/environment.hpp"
+#include "kernels/math/vector.hpp"
+
+namespace tessera::TESSERA_ISA {
+namespace {
+
+template <class F>
+struct Frame {
+  Vec3<F> tangent, bitangent, normal;
+};
+
+/// A right-handed frame about the unit vector n. Duff et al. 2017, "Building an orthonormal basis, revisited".
+template <class F>
+inline Frame<F> frame_about(const Vec3<F>& n) {
+  const F sign = copy_sign(F(1), n.z);
+  const F a = F(-1) / (sign + n.z);
+  const F b = n.x * n.y * a;
+  const F sx = sign * n.x;
+  return {{mul_add(sx * n.x, a, F(1)), sign * b, -sx}, {b, mul_add(n.y * n.y, a, sign), -n.y}, n};
+}
+
+/// The weighted sum over the lobe's points of radiance around the unit vector n. Filtered importance sampling (Krivanek
+/// and Colbert 2008, "Real-time shading with filtered importance sampling"): each point reads the mip level whose
+/// texels are as large as the part of the sphere that it stands for.
+template <class F>
+inline Vec3<F> prefilter(const CubeView& radiance, const LobeSamples& lobe, const Vec3<F>& n) {
+  const Frame<F> frame = frame_about(n);
+  Vec3<F> sum{F(0), F(0), F(0)};
+  for (int k = 0; k < lobe.count; ++k) {
+    const F x = F(lobe.x[k]), y = F(lobe.y[k]), z = F(lobe.z[k]);
+    const Vec3<F> l{mul_add(z, n.x, mul_add(y, frame.bitangent.x, x * frame.tangent.x)),
+                    mul_add(z, n.y, mul_add(y, frame.bitangent.y, x * frame.tangent.y)),
+                    mul_add(z, n.z, mul_add(y, frame.bitangent.z, x * frame.tangent.z))};
+    const Vec3<F> sample = sample_cube_uniform(radiance, l, lobe.lod[k]);
+    const F weight = F(lobe.weight[k]);
+    sum = {mul_add(weight, sample.x, sum.x), mul_add(weight, sample.y, sum.y), mul_add(weight, sample.z, sum.z)};
+  }
+  return sum;
+}
+
+}  // namespace
+}  // namespace tessera::TESSERA_ISA

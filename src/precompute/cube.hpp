@@ -1,0 +1,52 @@
+// Cubemaps with mips: radiance in floats while it is being made, halves with borders for the kernels.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "kernels/interface.hpp"
+
+namespace tessera {
+
+inline constexpr int max_cube_size = 4096;  // beyond it kernels' 32-bit offsets overflow
+inline constexpr float max_half = 65504;
+
+/// One level: six faces, one after another, of size * size RGBA floats.
+struct CubeLevel {
+  int size = 0;
+  AlignedVector<float> texels;
+
+  explicit CubeLevel(int n) : size(n), texels(std::size_t{6} * std::size_t(n) * std::size_t(n) * 4) {}
+  [[nodiscard]] std::size_t face_floats() const { return std::size_t(size) * std::size_t(size) * 4; }
+  [[nodiscard]] float* face(int f) { return texels.data() + std::size_t(f) * face_floats(); }
+  [[nodiscard]] const float* face(int f) const { return texels.data() + std::size_t(f) * face_floats(); }
+};
+
+/// The level below: each texel the mean of four, weighted by their solid angles, so that the sphere's total stays.
+CubeLevel halved(const CubeLevel& level);
+
+/// What CubeView views.
+class Cube {
+ public:
+  Cube() = default;
+  /// size: a power of two up to max_cube_size; 1 <= levels <= log2(size) + 1. Texels are 0.
+  Cube(int size, int levels);
+
+  [[nodiscard]] CubeView view() const { return {texels_.data(), size_, levels_}; }
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] int levels() const { return levels_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+  /// Rounds a level to halves, values above the largest half clamped to it, and fills its border. Returns how many
+  /// texels were clamped.
+  std::size_t store(int level, const CubeLevel& from, const Kernels& kernels);
+
+ private:
+  std::uint16_t* texel(int level, int face, int i, int j);  // i, j from -1 to size
+  void fill_border(int level, int face, const Kernels& kernels);
+
+  AlignedVector<std::uint16_t> texels_;
+  int size_ = 0, levels_ = 0;
+};
+
+}  // namespace tessera
