@@ -12,6 +12,9 @@ find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(draco REQUIRED)
+find_package(meshoptimizer REQUIRED)
 
 file(GLOB_RECURSE TESSERA_CORE_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.cpp)
 set(TESSERA_CLI_SOURCES ${TESSERA_CORE_SOURCES})
@@ -20,7 +23,8 @@ list(FILTER TESSERA_CLI_SOURCES INCLUDE REGEX "/src/cli/")
 
 add_library(tessera_core STATIC ${TESSERA_CORE_SOURCES})
 target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels tessera_openimageio TBB::tbb fmt::fmt
-                      glm::glm nlohmann_json::nlohmann_json)
+                      glm::glm nlohmann_json::nlohmann_json
+                      PRIVATE TinyGLTF::TinyGLTF draco::draco meshoptimizer::meshoptimizer)
 
 if(TESSERA_CLI_SOURCES)
   add_executable(tessera ${TESSERA_CLI_SOURCES})
