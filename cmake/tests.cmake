@@ -17,7 +17,7 @@ if(TESSERA_KERNEL_TESTS)
 endif()
 
 if(NOT TESSERA_KERNELS_ONLY)
-  file(GLOB_RECURSE TESSERA_CORE_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/src/*.cpp)
+  file(GLOB_RECURSE TESSERA_CORE_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/src/*.cpp ${CMAKE_SOURCE_DIR}/tests/golden/*.cpp)
   if(TESSERA_CORE_TESTS)
     add_executable(core_tests ${TESSERA_CORE_TESTS})
     target_include_directories(core_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)

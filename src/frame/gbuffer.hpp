@@ -35,7 +35,7 @@ inline constexpr std::array<GBufferPlane, gbuffer_planes> gbuffer_plane_names = 
     {"emissive.B", 0, false},
     {"alpha", 1, false},
     {"unlit", 0, false},
-    {"depth.Z", 0, false},
+    {"reversed_depth", 0, false},
 }};
 
 /// Pointer number k of a view, in the same order.

@@ -1,0 +1,39 @@
+// From shaded fragments to the pixels of a tile.
+#pragma once
+#include "frame/fragments.hpp"
+#include "frame/settings.hpp"
+#include "frame/view.hpp"
+
+namespace tessera {
+
+/// Everything behind the surfaces, and where the pixels go.
+struct TileFilm {
+  int x, y, width, height;  // of the tile, in pixels
+  float* rgba;              // of the tile's first pixel
+  std::size_t row_stride;   // in floats
+};
+
+struct BackgroundSource {
+  Background kind = Background::color;
+  float color[3] = {0, 0, 0};
+  CubeView cube{};
+  float lod = 0;
+};
+
+/// Scratch of one thread.
+struct CompositeScratch {
+  AlignedVector<float> rgba, remaining, x, y, radiance;
+  std::vector<std::uint16_t> pixels;
+  CompositeScratch();
+};
+
+/// Blends the fragments of each pixel front to back, sample by sample:  C += T alpha L,  T *= 1 - alpha  (Porter & Duff
+/// 1984, "over"), averages the samples. `fragments` as TileFragments sorts them. What light passes through is left in
+/// scratch.remaining (0 .. 1).
+void composite_surfaces(const TileFragments& fragments, int samples, CompositeScratch& scratch);
+
+/// Fills in the background where something remains, and writes the tile to the film.
+void composite_background(const BackgroundSource& background, const View& view, const Kernels& kernels,
+                          CompositeScratch& scratch, const TileFilm& film);
+
+}  // namespace tessera

@@ -1,0 +1,37 @@
+// The fragments of one tile on their way from visibility to picture: G-buffer and radiance in SoA planes that one
+// thread keeps and reuses, so that the tile stays in its core's cache.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "kernels/interface.hpp"
+
+namespace tessera {
+
+class TileFragments {
+ public:
+  /// Sorted for compositing: pixels ascending; in a pixel front to back, or, where none is transparent, by triangle.
+  std::vector<Fragment> fragments;
+  /// slots[i]: where fragments[i] lies in the planes.
+  std::vector<std::uint32_t> slots;
+
+  /// Room for `count` slots in every plane; keeps no content when it grows.
+  void reserve_planes(std::uint32_t count);
+  /// The planes from slot `first` on.
+  [[nodiscard]] GBufferView gbuffer(std::uint32_t first = 0) const;
+  [[nodiscard]] std::array<float*, 3> radiance(std::uint32_t first = 0) const;
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] float* plane(int k, std::uint32_t first) const {
+    return const_cast<float*>(planes_.data()) + k * stride_ + first;
+  }
+  AlignedVector<float> planes_;
+  std::size_t stride_ = 0;
+};
+
+inline std::uint32_t round_up_to_lanes(std::uint32_t n) { return (n + max_lanes - 1) / max_lanes * max_lanes; }
+
+}  // namespace tessera

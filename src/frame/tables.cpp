@@ -1,0 +1,40 @@
+#include "frame/tables.hpp"
+
+#include <algorithm>
+
+#include "frame/lights.hpp"
+
+namespace tessera {
+
+Lighting::Lighting(const std::vector<Light>& file_lights, const Environment* env, const Kernels& kernels)
+    : lights(compile_lights(file_lights, kernels)), environment(env) {
+  if (!lights.empty()) features |= feature_lights;
+  if (environment != nullptr) {
+    features |= feature_environment;
+    dfg = build_dfg_table(kernels);
+  }
+}
+
+void Lighting::apply(TileInputs& in) const {
+  in.lights = lights;
+  in.frame_features = features;
+  if (environment == nullptr) return;
+  in.environment = environment->view();
+  in.dfg = dfg.view();
+}
+
+BackgroundSource Lighting::background(const RenderSettings& settings) const {
+  BackgroundSource source;
+  source.kind = settings.background;
+  std::copy(std::begin(settings.background_color), std::end(settings.background_color), source.color);
+  if (settings.background != Background::environment) return source;
+  if (environment == nullptr) {
+    source.kind = Background::color;  // nothing to see: the colour, black by default
+    return source;
+  }
+  source.cube = environment->view().background;
+  source.lod = settings.background_blur * static_cast<float>(source.cube.levels - 1);
+  return source;
+}
+
+}  // namespace tessera

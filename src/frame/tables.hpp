@@ -1,0 +1,26 @@
+// What all frames of a scene share, built once and only as far as the scene calls for it.
+#pragma once
+#include <vector>
+
+#include "frame/composite.hpp"
+#include "frame/settings.hpp"
+#include "frame/tile.hpp"
+#include "precompute/dfg.hpp"
+#include "precompute/environment.hpp"
+
+namespace tessera {
+
+/// Lights and environment, compiled for the kernels. `environment` may be null.
+struct Lighting {
+  std::vector<LightView> lights;
+  const Environment* environment = nullptr;
+  DfgTable dfg;  // empty without an environment
+  std::uint32_t features = 0;
+
+  Lighting(const std::vector<Light>& lights, const Environment* environment, const Kernels& kernels);
+  /// Fills in the lighting part of a tile's inputs.
+  void apply(TileInputs& in) const;
+  [[nodiscard]] BackgroundSource background(const RenderSettings& settings) const;
+};
+
+}  // namespace tessera

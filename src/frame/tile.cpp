@@ -1,0 +1,185 @@
+#include "frame/tile.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "frame/classify.hpp"
+
+namespace tessera {
+
+std::size_t TileWorker::bytes() const {
+  return fragments.bytes() + depth_.capacity() * 4 + ids_.capacity() * 4 +
+         (candidates_.capacity() + grouped_.capacity() + sorted_.capacity()) * sizeof(Fragment);
+}
+
+void TileWorker::render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists) {
+  clock.start();
+  fragments.fragments.clear();
+  fragments.slots.clear();
+  const std::size_t samples = in.pattern.count;
+  depth_.resize(samples * tile_pixels);
+  ids_.resize(samples * tile_pixels);
+  const VisibilityTile tile{x, y, width, height, in.pattern.count, depth_.data(), ids_.data()};
+  in.kernels->clear_visibility(tile);
+  RasterCounters counters{};
+  if (!lists.opaque.empty()) {
+    in.kernels->rasterize_opaque(
+        {tile, in.setup.data(), lists.opaque.data(), static_cast<std::uint32_t>(lists.opaque.size())}, &counters);
+  }
+  clock.lap(TileStage::coverage);
+  if (!lists.mask.empty()) {
+    draw_masked(in, tile, lists.mask);
+    clock.lap(TileStage::alpha_mask);
+  }
+  collect(in, tile, lists.blend);
+  group_by_binding(in);
+  clock.lap(TileStage::collect);
+  shade_runs(in, x, y);
+  if (fragments.fragments.size() > opaque_count_) sort_transparent();
+  clock.lap(TileStage::collect);
+}
+
+// Candidates are tested against what is drawn so far, their alpha is fetched a binding at a time, and the survivors are
+// written, with the depth test done again: nearest wins whatever the order.
+void TileWorker::draw_masked(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> list) {
+  const bool split = tile.samples > 1;
+  const std::size_t most = std::size_t{tile_pixels} * (split ? tile.samples : 1);
+  struct Piece {
+    std::uint32_t setup, first, count;
+  };
+  std::vector<Piece> pieces;
+  std::size_t next = 0;
+  while (next < list.size()) {
+    const auto binding_of = [&](std::size_t i) { return in.geometry.triangles[in.setup[list[i]].triangle].binding; };
+    const std::uint32_t binding = binding_of(next);
+    pieces.clear();
+    std::uint32_t count = 0;
+    while (next < list.size() && binding_of(next) == binding && count < tile_pixels) {
+      if (candidates_.size() < count + most) candidates_.resize(count + most);
+      const std::uint32_t added =
+          in.kernels->collect_triangle(tile, in.setup[list[next]], split, candidates_.data() + count);
+      if (added != 0) pieces.push_back({list[next], count, added});
+      count += added;
+      ++next;
+    }
+    if (count == 0) continue;
+    const MaterialView& material = in.materials[binding];
+    alpha_.resize(round_up_to_lanes(count));
+    keep_.resize(count);
+    in.kernels->resolve_alpha(
+        {in.geometry, in.view, &material, in.pattern, tile.x, tile.y, candidates_.data(), count, alpha_.data()});
+    for (std::uint32_t i = 0; i < count; ++i) keep_[i] = alpha_[i] >= material.alpha_cutoff;
+    for (const Piece& p : pieces)
+      in.kernels->commit_fragments(tile, in.setup[p.setup], candidates_.data() + p.first, keep_.data() + p.first,
+                                   p.count);
+  }
+}
+
+void TileWorker::collect(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> blend) {
+  std::vector<Fragment>& all = fragments.fragments;
+  all.resize(std::size_t{tile_pixels} * tile.samples);
+  opaque_count_ = in.kernels->collect_visible(tile, all.data());
+  std::size_t count = opaque_count_;
+  for (const std::uint32_t index : blend) {
+    if (all.size() < count + tile_pixels) all.resize(count + count / 2 + tile_pixels);
+    count += in.kernels->collect_triangle(tile, in.setup[index], false, all.data() + count);
+  }
+  all.resize(count);
+}
+
+// A stable counting sort. Each binding's run starts on a vector boundary.
+void TileWorker::group_by_binding(const TileInputs& in) {
+  constexpr std::uint32_t none = 0xffffffffu;
+  const std::vector<Fragment>& all = fragments.fragments;
+  run_of_binding_.resize(in.materials.size(), none);
+  fragment_run_.resize(all.size());
+  fragments.slots.resize(all.size());
+  runs_.clear();
+  std::uint32_t last_triangle = no_triangle, last_run = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].triangle != last_triangle) {
+      last_triangle = all[i].triangle;
+      const std::uint32_t binding = in.geometry.triangles[last_triangle].binding;
+      if (run_of_binding_[binding] == none) {
+        run_of_binding_[binding] = static_cast<std::uint32_t>(runs_.size());
+        runs_.push_back({binding, 0, 0});
+      }
+      last_run = run_of_binding_[binding];
+    }
+    fragment_run_[i] = last_run;
+    ++runs_[last_run].count;
+  }
+  std::uint32_t slots = 0;
+  for (Run& run : runs_) {
+    run_of_binding_[run.binding] = none;
+    run.first = slots;
+    slots += round_up_to_lanes(run.count);
+    run.count = 0;
+  }
+  grouped_.resize(slots);
+  fragments.reserve_planes(slots);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Run& run = runs_[fragment_run_[i]];
+    const std::uint32_t slot = run.first + run.count++;
+    fragments.slots[i] = slot;
+    grouped_[slot] = all[i];
+  }
+}
+
+void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32_t first, std::uint32_t count,
+               std::uint32_t features) {
+  ShadeArgs args{};
+  args.gbuffer = fragments.gbuffer(first);
+  args.count = count;
+  args.features = features;
+  std::copy(std::begin(in.view.eye), std::end(in.view.eye), args.eye);
+  args.lights = in.lights.data();
+  args.light_count = static_cast<std::uint32_t>(in.lights.size());
+  args.environment = in.environment;
+  args.dfg = in.dfg;
+  const std::array<float*, 3> radiance = fragments.radiance(first);
+  std::copy(radiance.begin(), radiance.end(), args.radiance);
+  in.kernels->shade(args);
+}
+
+void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
+  for (const Run& run : runs_) {
+    in.kernels->resolve({in.geometry, in.view, &in.materials[run.binding], in.pattern, x, y,
+                         grouped_.data() + run.first, run.count, fragments.gbuffer(run.first)});
+  }
+  clock.lap(TileStage::resolve);
+  for (const Run& run : runs_)
+    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.frame_features));
+  clock.lap(TileStage::shade);
+}
+
+// Transparent fragments were appended; every pixel's fragments are brought together, front to back where one is
+// transparent.
+void TileWorker::sort_transparent() {
+  std::vector<Fragment>& all = fragments.fragments;
+  const float* depth = fragments.gbuffer().depth;
+  std::vector<std::uint32_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::array<bool, tile_pixels> transparent{};
+  for (std::size_t i = opaque_count_; i < all.size(); ++i) transparent[all[i].pixel] = true;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (all[a].pixel != all[b].pixel) return all[a].pixel < all[b].pixel;
+    if (transparent[all[a].pixel]) {
+      const float da = depth[fragments.slots[a]], db = depth[fragments.slots[b]];
+      if (da != db) return da > db;
+    }
+    if (all[a].triangle != all[b].triangle) return all[a].triangle < all[b].triangle;
+    return all[a].samples < all[b].samples;  // pieces of one clipped triangle
+  });
+  sorted_.resize(all.size());
+  sorted_slots_.resize(all.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    sorted_[i] = all[order[i]];
+    sorted_slots_[i] = fragments.slots[order[i]];
+  }
+  all.swap(sorted_);
+  fragments.slots.swap(sorted_slots_);
+}
+
+}  // namespace tessera

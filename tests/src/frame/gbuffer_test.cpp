@@ -1,0 +1,96 @@
+// A G-buffer that was written, read and shaded gives the bits of the render that wrote it.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "frame/dispatch.hpp"
+#include "frame/frame.hpp"
+#include "frame/gbuffer_file.hpp"
+#include "golden/scenes.hpp"
+#include "precompute/environment.hpp"
+
+namespace tessera {
+namespace {
+
+class GBuffer : public testing::TestWithParam<int> {
+ protected:
+  golden::GoldenScene scene = golden::golden_scenes()[GetParam()];
+  const Kernels& kernels = select_kernels();
+  Environment environment = build_environment(golden::golden_environment(), {}, kernels);
+  const Environment* used = scene.environment ? &environment : nullptr;
+  std::string path = testing::TempDir() + "gbuffer_test_" + scene.name + ".exr";
+
+  ~GBuffer() override { std::filesystem::remove(path); }
+
+  void round_trip(int samples) {
+    scene.settings.samples = samples;
+    const View view = make_view(scene.camera, scene.settings.width, scene.settings.height, kernels);
+    Renderer renderer(scene.scene, used, kernels);
+    Frame rendered, shaded;
+    renderer.render(view, scene.settings, {{}, true}, rendered);
+    const auto attributes = gbuffer_attributes(rendered.gbuffer, view, scene.scene.lights);
+    if (rendered.gbuffer.is_flat()) {
+      FlatPlanes storage;
+      write_exr(path, scene.settings.width, scene.settings.height, flat_gbuffer_channels(rendered.gbuffer, storage),
+                attributes);
+    } else {
+      write_deep_gbuffer(path, rendered.gbuffer, attributes);
+    }
+    const GBufferFile file = read_gbuffer(path);
+    ASSERT_TRUE(file.view.has_value());
+    EXPECT_EQ(file.image.fragment_count(), rendered.gbuffer.fragment_count());
+    shade_gbuffer(file.image, *file.view, file.lights, used, scene.settings, kernels, shaded);
+    ASSERT_EQ(shaded.rgba.pixels.size(), rendered.rgba.pixels.size());
+    EXPECT_EQ(
+        std::memcmp(shaded.rgba.pixels.data(), rendered.rgba.pixels.data(), shaded.rgba.pixels.size() * sizeof(float)),
+        0);
+  }
+};
+
+TEST_P(GBuffer, OneSample) { round_trip(1); }
+TEST_P(GBuffer, SeveralSamples) { round_trip(4); }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GBuffer, testing::Range(0, 6),
+                         [](const auto& info) { return golden::golden_scenes()[info.param].name; });
+
+TEST(GBufferFile, NamesTheMissingLayer) {
+  const std::string path = testing::TempDir() + "gbuffer_test_missing.exr";
+  const std::vector<float> plane(12, 1.0f);
+  write_exr(path, 4, 3, {{"position.X", plane.data()}, {"position.Y", plane.data()}, {"position.Z", plane.data()}});
+  try {
+    read_gbuffer(path);
+    FAIL() << "accepted";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.status(), ExitStatus::input);
+    EXPECT_NE(std::string(e.what()).find("normal.X"), std::string::npos) << e.what();
+  }
+  std::filesystem::remove(path);
+}
+
+// Another program's file: only the required layers, no attributes. Pixels without a normal are empty.
+TEST(GBufferFile, RequiredLayersSuffice) {
+  const std::string path = testing::TempDir() + "gbuffer_test_foreign.exr";
+  std::vector<float> ones(6, 1.0f), zeros(6, 0.0f), up(6, 1.0f);
+  up[2] = 0;
+  write_exr(path, 3, 2,
+            {{"position.X", zeros.data()},
+             {"position.Y", zeros.data()},
+             {"position.Z", zeros.data()},
+             {"normal.X", zeros.data()},
+             {"normal.Y", up.data()},
+             {"normal.Z", zeros.data()},
+             {"albedo.R", ones.data()},
+             {"albedo.G", ones.data()},
+             {"albedo.B", ones.data()}});
+  const GBufferFile file = read_gbuffer(path);
+  EXPECT_FALSE(file.view.has_value());
+  EXPECT_EQ(file.image.fragment_count(), 5u);
+  EXPECT_EQ(file.image.counts[2], 0u);
+  EXPECT_EQ(file.image.planes[10][0], 1.0f);  // roughness where absent
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace tessera
