@@ -1,5 +1,6 @@
 // One set of hashes for every instruction set, thread count, tile order, compiler and build type.
 // TESSERA_UPDATE_GOLDENS=1 writes images/golden/hashes.json anew, and pictures beside it for people to look at.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
