@@ -11,9 +11,11 @@ template <class F>
 inline F srgb_to_linear(F encoded) {
   // IEC 61966-2-1:1999, clause 5.2.
   const MaskOf<F> straight = encoded <= F(0.04045);
-  const F base = (encoded + F(0.055)) / F(1.055);
-  const F power = pow_positive(clamp(base, F(0.05), F(1e15)), F(2.4));  // 1e15^2.4 is finite
-  return select(is_nan(encoded), encoded, select(straight, encoded / F(12.92), power));
+  const F base = mul_add(encoded, F(1 / 1.055), F(0.055 / 1.055));
+  // base^2.4 as base^2 base^0.4: rounding 2.4 itself to float would cost 3 ulp. 1e15^2.4 is finite.
+  const F limited = clamp(base, F(0.05), F(1e15));
+  const F power = (limited * limited) * pow_positive(limited, F(0.4));
+  return select(is_nan(encoded), encoded, select(straight, encoded * F(1 / 12.92), power));
 }
 
 // Linear -> encoded, the inverse. NaN stays NaN.

@@ -90,7 +90,7 @@ TESSERA_INLINE F logarithm_or_special(F x, F value) {
   return select((x > F(0)) & (x < infinity), value, outside);
 }
 
-// Base-2 logarithm. At most 1 ulp.
+// Base-2 logarithm. At most 1.1 ulp.
 template <class F>
 inline F log2(F x) {
   const SplitFloat<F> s = split_exponent(x);
@@ -111,7 +111,7 @@ inline F log(F x) {
   return logarithm_or_special(x, mul_add(s.exponent, F(0x1.62e430p-1), f + low));
 }
 
-// x^y for x > 0 and finite, any y but NaN. The logarithm is carried in two floats: relative error about 2^-30.
+// x^y for x > 0 and finite, any y but NaN. The logarithm is carried in two floats: relative error about 2^-35.
 template <class F>
 TESSERA_INLINE F pow_positive(F x, F y) {
   const SplitFloat<F> split = split_exponent(x);
@@ -123,20 +123,26 @@ TESSERA_INLINE F pow_positive(F x, F y) {
   const F s = numerator * reciprocal;
   const F remainder = neg_mul_add(s, denominator_low, neg_mul_add(s, denominator, numerator));
   const F s_low = remainder * reciprocal;
-  // log m = 2 artanh s = 2 (s + s t); (artanh(s) / s - 1) / s^2 for |s| <= 0.1716, relative error of log m: 2.5e-11.
+  // log m = 2 artanh s = 2 s (1 + t), t = z (1/3 + z q), z = s^2. q for |s| <= 0.1716; relative error of log
+  // m: 8.5e-12.
   const F z = s * s;
-  F t = mul_add(F(0x1.f13b38p-4), z, F(0x1.23d3e0p-3));
-  t = mul_add(t, z, F(0x1.999c26p-3));
-  t = mul_add(t, z, F(0x1.555554p-2));
-  t = t * z;
-  // times 2 / ln 2, which is in two parts.
+  const F z_low = mul_add(s + s, s_low, mul_sub(s, s, z));
+  F q = mul_add(F(0x1.dfa302p-4), z, F(0x1.24527ap-3));
+  q = mul_add(q, z, F(0x1.999a00p-3));
+  const F third = F(0x1.555556p-2), third_low = F(-0x1.555556p-27);
+  const F t = z * third;
+  F t_low = mul_add(z_low, third, mul_sub(z, third, t));
+  t_low = mul_add(z, third_low, t_low);
+  t_low = mul_add(z * z, q, t_low);
+  // 2 / ln 2 s, then times 1 + t.
   const F k = F(0x1.715476p+1), k_low = F(0x1.4ae0c0p-25);
   const F product = k * s;
-  F low = mul_add(k, s_low, mul_sub(k, s, product));
-  low = mul_add(k_low, s, low);
-  low = mul_add(product, t, low);
-  const F high = product + low;
-  const F high_low = low - (high - product);
+  const F product_low = mul_add(k_low, s, mul_add(k, s_low, mul_sub(k, s, product)));
+  const F step = product * t;
+  F low = mul_add(product, t_low, mul_sub(product, t, step));
+  low = mul_add(product_low, t, product_low + low);
+  const F high = product + step;
+  const F high_low = low + (step - (high - product));
   // log2 x = exponent + log2 m. Either the exponent is 0, or larger than log2 m.
   const F log_high = split.exponent + high;
   const F log_low = (high - (log_high - split.exponent)) + high_low;
@@ -150,7 +156,7 @@ TESSERA_INLINE F pow_positive(F x, F y) {
   return scale_by_power_of_two(exp2_fraction(fraction), n);
 }
 
-// x^y. At most 2 ulp.
+// x^y. At most 1 ulp.
 template <class F>
 inline F pow(F x, F y) {
   using I = IntOf<F>;

@@ -11,15 +11,15 @@ struct HalfPi {
   F high = F(0x1.921fb6p+0), middle = F(-0x1.777a5cp-25), low = F(-0x1.ee59dap-50);
 };
 
+// Sine and cosine of |x| less quadrant * pi / 2, each the sum of two floats.
 template <class F>
-struct SinCos {
-  F sin, cos;
+struct ReducedSinCos {
+  F sine, sine_low, cosine, cosine_low;
+  IntOf<F> quadrant;
 };
 
-// Both at most 1 ulp for |x| <= 2^17. Beyond, where neighbouring floats are more than 0.01 apart, the value at
-// +-2^17. NaN for infinities.
 template <class F>
-inline SinCos<F> sincos(F x) {
+TESSERA_INLINE ReducedSinCos<F> sincos_reduced(F x) {
   using I = IntOf<F>;
   const HalfPi<F> half_pi;
   const F a = abs(x);
@@ -40,21 +40,34 @@ inline SinCos<F> sincos(F x) {
   const F z = r * r;
   F s = mul_add(F(-0x1.9952fap-13), z, F(0x1.110776p-7));
   s = mul_add(s, z, F(-0x1.555546p-3));
-  const F sine = r + mul_add(r * z, s, r_low);
+  const F sine_tail = mul_add(r * z, s, r_low);
   F k = mul_add(F(0x1.9a6766p-16), z, F(-0x1.6c0e2ep-10));
   k = mul_add(k, z, F(0x1.55554ep-5));
   const F half_square = F(0.5) * z;
   const F leading = F(1) - half_square;
   const F leading_error = (F(1) - leading) - half_square;
-  const F cosine = leading + (leading_error + neg_mul_add(r, r_low, (z * z) * k));
+  const F cosine_tail = leading_error + neg_mul_add(r, r_low, (z * z) * k);
+  const F sine = r + sine_tail, cosine = leading + cosine_tail;
+  return {sine, sine_tail - (sine - r), cosine, cosine_tail - (cosine - leading), quadrant};
+}
 
-  const MaskOf<F> odd = (quadrant & I(1)) != I(0);
-  const I sine_sign = ((quadrant & I(2)) << 30) ^ (bits(x) & I(-0x7fffffff - 1));
-  const I cosine_sign = ((quadrant + I(1)) & I(2)) << 30;
-  const MaskOf<F> finite = a < F(__builtin_inff());
+template <class F>
+struct SinCos {
+  F sin, cos;
+};
+
+// Both at most 1 ulp for |x| <= 2^17. Beyond, where neighbouring floats are more than 0.01 apart, the value at
+// +-2^17. NaN for infinities.
+template <class F>
+inline SinCos<F> sincos(F x) {
+  using I = IntOf<F>;
+  const ReducedSinCos<F> t = sincos_reduced(x);
+  const MaskOf<F> odd = (t.quadrant & I(1)) != I(0), finite = abs(x) < F(__builtin_inff());
+  const I sine_sign = ((t.quadrant & I(2)) << 30) ^ (bits(x) & bits(F(-0.0)));
+  const I cosine_sign = ((t.quadrant + I(1)) & I(2)) << 30;
   const F nan = F(__builtin_nanf(""));
-  return {select(finite, from_bits(bits(select(odd, cosine, sine)) ^ sine_sign), nan),
-          select(finite, from_bits(bits(select(odd, sine, cosine)) ^ cosine_sign), nan)};
+  return {select(finite, from_bits(bits(select(odd, t.cosine, t.sine)) ^ sine_sign), nan),
+          select(finite, from_bits(bits(select(odd, t.sine, t.cosine)) ^ cosine_sign), nan)};
 }
 template <class F>
 inline F sin(F x) {
@@ -64,11 +77,19 @@ template <class F>
 inline F cos(F x) {
   return sincos(x).cos;
 }
-// At most 2 ulp for |x| <= 2^17.
+// At most 1.5 ulp for |x| <= 2^17; otherwise as sincos.
 template <class F>
 inline F tan(F x) {
-  const SinCos<F> s = sincos(x);
-  return s.sin / s.cos;
+  using I = IntOf<F>;
+  const ReducedSinCos<F> t = sincos_reduced(x);
+  const MaskOf<F> odd = (t.quadrant & I(1)) != I(0);
+  const F over = select(odd, -t.cosine, t.sine), over_low = select(odd, -t.cosine_low, t.sine_low);
+  const F under = select(odd, t.sine, t.cosine), under_low = select(odd, t.sine_low, t.cosine_low);
+  const F quotient = over / under;
+  const F remainder = neg_mul_add(quotient, under_low, neg_mul_add(quotient, under, over) + over_low);
+  const F tangent = quotient + remainder / under;
+  const F with_sign = from_bits(bits(tangent) ^ (bits(x) & bits(F(-0.0))));
+  return select(abs(x) < F(__builtin_inff()), with_sign, F(__builtin_nanf("")));
 }
 
 // (asin(s) - s) for 0 <= s <= 1/2, z = s^2. Relative error of asin(s): 5.4e-9.
