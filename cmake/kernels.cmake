@@ -19,18 +19,22 @@ else()
   message(FATAL_ERROR "Tessera has kernels for x86-64 and AArch64, not for ${CMAKE_SYSTEM_PROCESSOR}")
 endif()
 
+# Compiles a target as the kernels of one instruction set.
+function(tessera_compile_for_isa target isa)
+  target_link_libraries(${target} PRIVATE tessera_flags)
+  target_include_directories(${target} SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
+  target_compile_definitions(${target} PRIVATE TESSERA_ISA=${isa})
+  target_compile_options(${target} PRIVATE ${TESSERA_FLAGS_${isa}} -Werror=double-promotion $<$<CONFIG:Debug>:-O1>
+                                           -fno-exceptions -fno-rtti)
+  # Vectors of vectors (Vec3<Float>: 192 bytes) exceed what GCC splits into registers by default; without this every
+  # copy of one goes through the stack.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=sra-max-scalarization-size-Ospeed=4096>)
+endfunction()
+
 add_library(tessera_kernels STATIC ${CMAKE_SOURCE_DIR}/kernels/tables.cpp)
 target_link_libraries(tessera_kernels PRIVATE tessera_flags)
 foreach(isa IN LISTS TESSERA_ISAS)
   add_library(tessera_kernels_${isa} OBJECT ${TESSERA_KERNEL_ENTRIES})
-  target_link_libraries(tessera_kernels_${isa} PRIVATE tessera_flags)
-  target_include_directories(tessera_kernels_${isa} SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
-  target_compile_definitions(tessera_kernels_${isa} PRIVATE TESSERA_ISA=${isa})
-  target_compile_options(tessera_kernels_${isa} PRIVATE ${TESSERA_FLAGS_${isa}} -Werror=double-promotion
-                         $<$<CONFIG:Debug>:-O1> -fno-exceptions -fno-rtti)
-  # Vectors of vectors (Vec3<Float>: 192 bytes) exceed what GCC splits into registers by default; without this every
-  # copy of one goes through the stack.
-  target_compile_options(tessera_kernels_${isa}
-                         PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=sra-max-scalarization-size-Ospeed=4096>)
+  tessera_compile_for_isa(tessera_kernels_${isa} ${isa})
   target_sources(tessera_kernels PRIVATE $<TARGET_OBJECTS:tessera_kernels_${isa}>)
 endforeach()

@@ -4,6 +4,9 @@ include(GoogleTest)
 
 file(GLOB_RECURSE TESSERA_KERNEL_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/kernels/*.cpp
                                                       ${CMAKE_SOURCE_DIR}/tests/stability/*.cpp)
+# tests/kernels/isa/*.cpp let a test reach what only a kernel can: they are compiled once per instruction set.
+file(GLOB TESSERA_ISA_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/kernels/isa/*.cpp)
+list(FILTER TESSERA_KERNEL_TESTS EXCLUDE REGEX "/tests/kernels/isa/")
 if(TESSERA_KERNEL_TESTS)
   add_executable(kernel_tests ${TESSERA_KERNEL_TESTS})
   target_include_directories(kernel_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
@@ -13,6 +16,12 @@ if(TESSERA_KERNEL_TESTS)
   target_compile_options(kernel_tests PRIVATE ${TESSERA_FLAGS_${TESSERA_BASELINE_ISA}})
   target_link_libraries(kernel_tests PRIVATE tessera_flags tessera_kernels GTest::gtest_main
                         $<TARGET_NAME_IF_EXISTS:tessera_reference>)
+  foreach(isa IN LISTS TESSERA_ISAS)
+    add_library(kernel_tests_${isa} OBJECT ${TESSERA_ISA_TESTS})
+    tessera_compile_for_isa(kernel_tests_${isa} ${isa})
+    target_include_directories(kernel_tests_${isa} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    target_sources(kernel_tests PRIVATE $<TARGET_OBJECTS:kernel_tests_${isa}>)
+  endforeach()
   gtest_discover_tests(kernel_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endif()
 

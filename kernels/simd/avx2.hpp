@@ -16,6 +16,8 @@ TESSERA_INLINE __m256 neg_mul_add(__m256 a, __m256 b, __m256 c) { return _mm256_
 TESSERA_INLINE __m256 divide(__m256 a, __m256 b) { return _mm256_div_ps(a, b); }
 TESSERA_INLINE __m256 sqrt(__m256 x) { return _mm256_sqrt_ps(x); }
 TESSERA_INLINE __m256 floor(__m256 x) { return _mm256_round_ps(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+// True for NaN; xsimd 8.1.0 has the ordered comparison on AVX and AVX-512, and misses them.
+TESSERA_INLINE __m256 not_equal(__m256 a, __m256 b) { return _mm256_cmp_ps(a, b, _CMP_NEQ_UQ); }
 // MINPS and MAXPS are a < b ? a : b and a > b ? a : b exactly: the second operand if either is NaN or both are zero.
 TESSERA_INLINE __m256 min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 TESSERA_INLINE __m256 max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }

@@ -18,6 +18,7 @@ TESSERA_INLINE float32x4_t neg_mul_add(float32x4_t a, float32x4_t b, float32x4_t
 TESSERA_INLINE float32x4_t divide(float32x4_t a, float32x4_t b) { return vdivq_f32(a, b); }
 TESSERA_INLINE float32x4_t sqrt(float32x4_t x) { return vsqrtq_f32(x); }
 TESSERA_INLINE float32x4_t floor(float32x4_t x) { return vrndmq_f32(x); }
+TESSERA_INLINE uint32x4_t not_equal(float32x4_t a, float32x4_t b) { return vmvnq_u32(vceqq_f32(a, b)); }
 // FMIN and FMAX treat NaN and signed zeros differently from x86: compare and select instead.
 TESSERA_INLINE float32x4_t min(float32x4_t a, float32x4_t b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
 TESSERA_INLINE float32x4_t max(float32x4_t a, float32x4_t b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }

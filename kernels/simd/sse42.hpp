@@ -42,6 +42,7 @@ TESSERA_INLINE __m128 neg_mul_add(__m128 a, __m128 b, __m128 c) {
 TESSERA_INLINE __m128 divide(__m128 a, __m128 b) { return _mm_div_ps(a, b); }
 TESSERA_INLINE __m128 sqrt(__m128 x) { return _mm_sqrt_ps(x); }
 TESSERA_INLINE __m128 floor(__m128 x) { return _mm_round_ps(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+TESSERA_INLINE __m128 not_equal(__m128 a, __m128 b) { return _mm_cmpneq_ps(a, b); }
 // MINPS and MAXPS are a < b ? a : b and a > b ? a : b exactly: the second operand if either is NaN or both are zero.
 TESSERA_INLINE __m128 min(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
 TESSERA_INLINE __m128 max(__m128 a, __m128 b) { return _mm_max_ps(a, b); }

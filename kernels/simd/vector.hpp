@@ -72,7 +72,7 @@ TESSERA_INLINE Float& operator/=(Float& a, Float b) { return a = a / b; }
 
 // As in C: all false for NaN, but != true.
 TESSERA_INLINE Mask operator==(Float a, Float b) { return Mask(a.batch == b.batch); }
-TESSERA_INLINE Mask operator!=(Float a, Float b) { return Mask(a.batch != b.batch); }
+TESSERA_INLINE Mask operator!=(Float a, Float b) { return make_mask(native::not_equal(a.raw(), b.raw())); }
 TESSERA_INLINE Mask operator<(Float a, Float b) { return Mask(a.batch < b.batch); }
 TESSERA_INLINE Mask operator<=(Float a, Float b) { return Mask(a.batch <= b.batch); }
 TESSERA_INLINE Mask operator>(Float a, Float b) { return Mask(b.batch < a.batch); }
