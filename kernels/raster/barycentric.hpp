@@ -61,13 +61,13 @@ inline Barycentrics<F> barycentrics(const ViewTransform& view, const Vec3<F> (&p
   b.b0 = select(valid, m0 * scale, third);
   b.b1 = select(valid, m1 * scale, third);
   b.b2 = select(valid, m2 * scale, third);
-  const F slope = select(valid, scale * sign, F(0));
+  const F slope = scale * sign;
   const F sum_dx = n_dx[0] + n_dx[1] + n_dx[2];
   const F sum_dy = n_dy[0] + n_dy[1] + n_dy[2];
-  b.b1_dx = neg_mul_add(b.b1, sum_dx, n_dx[1]) * slope;
-  b.b1_dy = neg_mul_add(b.b1, sum_dy, n_dy[1]) * slope;
-  b.b2_dx = neg_mul_add(b.b2, sum_dx, n_dx[2]) * slope;
-  b.b2_dy = neg_mul_add(b.b2, sum_dy, n_dy[2]) * slope;
+  b.b1_dx = select(valid, neg_mul_add(b.b1, sum_dx, n_dx[1]) * slope, F(0));
+  b.b1_dy = select(valid, neg_mul_add(b.b1, sum_dy, n_dy[1]) * slope, F(0));
+  b.b2_dx = select(valid, neg_mul_add(b.b2, sum_dx, n_dx[2]) * slope, F(0));
+  b.b2_dy = select(valid, neg_mul_add(b.b2, sum_dy, n_dy[2]) * slope, F(0));
   return b;
 }
 
