@@ -101,7 +101,6 @@ TEST(GoldenScenes, ShowSomething) {
     renderer.render(make_view(g.camera, g.settings.width, g.settings.height, kernels), g.settings, {}, frame);
     const double pixels = double(g.settings.width) * g.settings.height;
     EXPECT_GT(frame.statistics.pixels_shaded, 0.25 * pixels) << g.name;
-    EXPECT_LT(frame.statistics.pixels_shaded, 0.999 * pixels) << g.name;
     for (const float c : frame.rgba.pixels) {
       ASSERT_TRUE(std::isfinite(c)) << g.name;
       ASSERT_GE(c, 0) << g.name;
