@@ -21,11 +21,10 @@ Progress::Progress(Show show) {
 
 Progress::~Progress() { finish(); }
 
-void Progress::begin(std::string_view stage, std::size_t total) {
+void Progress::begin(std::string_view stage) {
   const std::lock_guard lock(mutex_);
   stage_ = stage;
-  total_ = total;
-  done_.store(0, std::memory_order_relaxed);
+  done_.store(unknown, std::memory_order_relaxed);
 }
 
 void Progress::draw_until_finished() {
@@ -37,13 +36,13 @@ void Progress::draw_until_finished() {
 }
 
 void Progress::draw() const {
-  if (total_ == 0) {
+  const float done = done_.load(std::memory_order_relaxed);
+  if (done < 0) {
     std::fprintf(stderr, "\r\033[K%s ...", stage_.c_str());
   } else {
-    const std::size_t done = std::min(done_.load(std::memory_order_relaxed), total_);
-    const std::size_t filled = bar_width * done / total_;
+    const auto filled = static_cast<std::size_t>(std::min(done, 1.0f) * bar_width);
     const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '-');
-    std::fprintf(stderr, "\r\033[K%s [%s] %3zu %%", stage_.c_str(), bar.c_str(), 100 * done / total_);
+    std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%", stage_.c_str(), bar.c_str(), 100.0 * static_cast<double>(done));
   }
   std::fflush(stderr);
 }

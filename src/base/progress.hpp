@@ -10,7 +10,7 @@
 
 namespace tessera {
 
-/// A job goes through stages, each of a known number of steps. Nothing is drawn before the job is a second old, nor
+/// A job goes through stages. Nothing is drawn before the job is a second old, nor
 /// more than ten times a second; the line is erased at the end. A thread of its own draws, so that counting is cheap.
 class Progress {
  public:
@@ -20,22 +20,24 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Starts a stage of `total` steps (0: unknown).
-  void begin(std::string_view stage, std::size_t total = 0);
-  /// Tells how many steps are done. From any thread.
-  void set(std::size_t done) { done_.store(done, std::memory_order_relaxed); }
+  /// Starts a stage; until the first set_fraction its length is unknown.
+  void begin(std::string_view stage);
+  /// Tells how far the stage is. From any thread.
+  void set_fraction(std::size_t done, std::size_t total) {
+    done_.store(static_cast<float>(done) / static_cast<float>(total), std::memory_order_relaxed);
+  }
   /// Ends the job and erases the line.
   void finish();
 
  private:
+  static constexpr float unknown = -1;
   void draw_until_finished();
   void draw() const;
 
-  std::atomic<std::size_t> done_{0};
+  std::atomic<float> done_{unknown};
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   std::string stage_;
-  std::size_t total_ = 0;
   bool finished_ = false;
   std::thread drawer_;  // runs only if there is something to draw on
 };

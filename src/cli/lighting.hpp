@@ -1,0 +1,38 @@
+// What lights a scene besides the lights in its file: the options that `render` and `shade` share.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/interface.hpp"
+#include "precompute/environment.hpp"
+#include "scene/light.hpp"
+
+namespace tessera::cli {
+
+struct LightingOptions {
+  std::string environment;
+  double rotation = 0;   // degrees
+  double intensity = 1;  // factor
+  std::vector<std::string> lights;
+};
+
+void add_lighting_options(CLI::App& command, LightingOptions& options);
+
+/// The paragraph of a command's help that tells about orientation and units.
+extern const char* const lighting_help;
+
+/// Those of --light.
+std::vector<Light> parse_lights(const LightingOptions& options);
+
+struct ChosenEnvironment {
+  std::unique_ptr<Environment> environment;  // null: lights alone
+  std::vector<std::string> warnings;
+  bool neutral = false;  // nobody asked for one, and nothing else would light the scene
+};
+
+/// has_lights: whether anything else lights the scene.
+ChosenEnvironment make_environment(const LightingOptions& options, bool has_lights, const Kernels& kernels);
+
+}  // namespace tessera::cli

@@ -1,0 +1,36 @@
+// How the work is done, which never shows in a pixel: the options that `render` and `shade` share.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace tessera::cli {
+
+struct MachineOptions {
+  int threads = 0;
+  std::string isa, statistics;
+  bool quiet = false;
+};
+
+inline void add_machine_options(CLI::App& command, MachineOptions& options) {
+  const std::string group = "Running";
+  command.add_option("--threads", options.threads, "Threads to use (0: all cores)")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--isa", options.isa, "Instruction set ('tessera isa' lists them; default: the widest)")
+      ->type_name("NAME")
+      ->group(group);
+  command.add_option("--stats", options.statistics, "Write times, counts, memory and the pixels' hash as JSON")
+      ->type_name("FILE")
+      ->group(group);
+  command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors")->group(group);
+}
+
+inline void validate(const MachineOptions& options) {
+  if (options.threads < 0 || options.threads > 1024)
+    throw usage_error("--threads {}: expected 0 (all cores) to 1024", options.threads);
+}
+
+}  // namespace tessera::cli
