@@ -2,7 +2,9 @@
 #pragma once
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/gltf_document.hpp"
@@ -34,6 +36,7 @@ class MaterialBuilder {
   Scene& scene_;
   std::vector<int> materials_, textures_;  // scene index by glTF index, -1: not made yet
   int default_material_ = -1;
+  std::map<std::tuple<int, bool, bool>, int> bindings_;
 };
 
 /// Appends the meshes of all nodes in scene order.

@@ -45,7 +45,7 @@ struct GltfDocument {
   [[nodiscard]] Error wrong(const std::string& part, fmt::format_string<Args...> format, Args&&... args) const {
     return input_error("{}: {}: {}", file, part, fmt::format(format, std::forward<Args>(args)...));
   }
-  /// Notes a warning, once.
+  /// Notes a warning, once; of very many, the first ones.
   void warn(const std::string& text);
 };
 

@@ -108,6 +108,7 @@ void build_cameras(GltfDocument& document, const std::vector<int>& order, const 
     } else {
       throw document.wrong(part + ".type", "is '{}', expected perspective or orthographic", in.type);
     }
+    if (camera.near_plane < 0) throw document.wrong(part, "znear is {}, expected 0 or more", camera.near_plane);
     if (camera.far_plane != 0 && camera.far_plane <= camera.near_plane) {
       throw document.wrong(part, "zfar {} is not beyond znear {}", camera.far_plane, camera.near_plane);
     }

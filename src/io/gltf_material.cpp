@@ -67,10 +67,10 @@ Sampler read_sampler(GltfDocument& document, int index) {
 
 int MaterialBuilder::binding(int index, bool has_tangents, bool has_colors) {
   const MaterialBinding wanted{material(index), has_tangents, has_colors};
-  const auto found = std::find(scene_.bindings.begin(), scene_.bindings.end(), wanted);
-  if (found != scene_.bindings.end()) return int(found - scene_.bindings.begin());
-  scene_.bindings.push_back(wanted);
-  return int(scene_.bindings.size()) - 1;
+  const auto [place, fresh] =
+      bindings_.try_emplace({wanted.material, has_tangents, has_colors}, int(scene_.bindings.size()));
+  if (fresh) scene_.bindings.push_back(wanted);
+  return place->second;
 }
 
 int MaterialBuilder::material(int index) {

@@ -32,28 +32,29 @@ bool store_unit(const dvec3& v, float* out) {
 // Appends one primitive, placed.
 class PrimitiveWriter {
  public:
-  PrimitiveWriter(const GltfDocument& document, const GltfPrimitive& in, Scene& scene)
-      : document_(document), in_(in), scene_(scene) {}
+  /// moved: scratch, all of it unused_vertex before and after, whatever its length.
+  PrimitiveWriter(const GltfDocument& document, const GltfPrimitive& in, std::vector<std::uint32_t>& moved,
+                  Scene& scene)
+      : document_(document), in_(in), moved_(moved), scene_(scene) {}
 
   void place_by(const glm::dmat4& matrix) { fixed_ = Placement::of(matrix); }
   void place_by(const std::vector<glm::dmat4>* joints) { joints_ = joints; }
 
   void write(std::uint32_t binding) {
     const std::size_t first_triangle = scene_.triangles.size();
-    std::vector<std::uint32_t> moved;
     const bool flat = in_.normals == nullptr;
-    if (!flat) moved.assign(in_.vertex_count, unused_vertex);
+    if (moved_.size() < in_.vertex_count) moved_.resize(in_.vertex_count, unused_vertex);
     for (std::size_t i = 0; i < in_.triangles.size(); i += 3) {
       Triangle triangle{{0, 0, 0}, binding};
       bool mirrored = false;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t source = in_.triangles[i + k];
-        if (flat || moved[source] == unused_vertex) {
+        if (flat || moved_[source] == unused_vertex) {
           const std::uint32_t written = write_vertex(source);
-          if (!flat) moved[source] = written;
+          if (!flat) moved_[source] = written;
           triangle.vertex[k] = written;
         } else {
-          triangle.vertex[k] = moved[source];
+          triangle.vertex[k] = moved_[source];
         }
         if (k == 0) mirrored = joints_ != nullptr ? placement(source).mirrored : fixed_.mirrored;
       }
@@ -61,6 +62,7 @@ class PrimitiveWriter {
       if (flat) write_flat_normal(triangle);
       scene_.triangles.push_back(triangle);
     }
+    for (const std::uint32_t source : in_.triangles) moved_[source] = unused_vertex;
     if (!without_normal_.empty()) mend_normals(first_triangle);
   }
 
@@ -139,6 +141,7 @@ class PrimitiveWriter {
 
   const GltfDocument& document_;
   const GltfPrimitive& in_;
+  std::vector<std::uint32_t>& moved_;  // written vertex by source vertex
   Scene& scene_;
   Placement fixed_;
   const std::vector<glm::dmat4>* joints_ = nullptr;
@@ -165,6 +168,7 @@ void build_meshes(GltfDocument& document, const std::vector<int>& order, const s
                   MaterialBuilder& materials, Scene& scene) {
   PrimitiveReader reader(document);
   std::map<int, std::vector<glm::dmat4>> skins;
+  std::vector<std::uint32_t> moved;
   for (const int node : order) {
     const tinygltf::Node& holder = document.model.nodes[std::size_t(node)];
     if (holder.mesh < 0) continue;
@@ -176,10 +180,10 @@ void build_meshes(GltfDocument& document, const std::vector<int>& order, const s
       if (base == nullptr || base->triangles.empty()) continue;
       const bool skinned = holder.skin >= 0 && !base->influences.empty();
       check_room(document, *base, skinned ? 1 : instances.size(), scene);
-      GltfPrimitive moved;
+      GltfPrimitive morphed;
       const bool morphs = !weights.empty() && !mesh.primitives[std::size_t(p)].targets.empty();
-      if (morphs) moved = reader.morphed(*base, holder.mesh, p, weights);
-      const GltfPrimitive& primitive = morphs ? moved : *base;
+      if (morphs) morphed = reader.morphed(*base, holder.mesh, p, weights);
+      const GltfPrimitive& primitive = morphs ? morphed : *base;
       const int binding =
           materials.binding(primitive.material, primitive.tangents != nullptr, primitive.colors != nullptr);
 
@@ -191,12 +195,12 @@ void build_meshes(GltfDocument& document, const std::vector<int>& order, const s
       if (skinned) {
         const auto [joints, fresh] = skins.try_emplace(holder.skin);
         if (fresh) joints->second = joint_matrices(document, holder.skin, world);
-        PrimitiveWriter writer(document, primitive, scene);
+        PrimitiveWriter writer(document, primitive, moved, scene);
         writer.place_by(&joints->second);
         writer.write(std::uint32_t(binding));
       } else {
         for (const glm::dmat4& instance : instances) {
-          PrimitiveWriter writer(document, primitive, scene);
+          PrimitiveWriter writer(document, primitive, moved, scene);
           writer.place_by(world[std::size_t(node)] * instance);
           writer.write(std::uint32_t(binding));
         }

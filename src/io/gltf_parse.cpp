@@ -135,9 +135,10 @@ void parse_model(json& checked, GltfDocument& document) {
 }  // namespace
 
 void GltfDocument::warn(const std::string& text) {
-  if (std::find(report.warnings.begin(), report.warnings.end(), text) == report.warnings.end()) {
-    report.warnings.push_back(text);
-  }
+  constexpr std::size_t most = 200;
+  auto& warnings = report.warnings;
+  if (warnings.size() > most || std::find(warnings.begin(), warnings.end(), text) != warnings.end()) return;
+  warnings.push_back(warnings.size() == most ? "further warnings are left out" : text);
 }
 
 std::unique_ptr<GltfDocument> parse_gltf(const std::string& path) {

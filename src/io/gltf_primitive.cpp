@@ -81,16 +81,28 @@ SharedFloats PrimitiveReader::floats(int accessor) {
   return known;
 }
 
-void PrimitiveReader::check_shape(const FloatArray& values, const std::string& name, const std::string& part) const {
-  if (!allowed_components(name, values.components)) {
-    throw document_.wrong(part, "has {} components, not what {} has", values.components, name);
+SharedFloats PrimitiveReader::checked(SharedFloats values, const std::string& name, const std::string& part) {
+  if (!allowed_components(name, values->components)) {
+    throw document_.wrong(part, "has {} components, not what {} has", values->components, name);
   }
-  for (std::size_t i = 0; i < values.values.size(); ++i) {
-    if (!std::isfinite(values.values[i])) {
-      throw document_.wrong(part, "{} of vertex {} is {}, expected finite numbers", name,
-                            i / std::size_t(values.components), values.values[i]);
+  const auto broken =
+      std::find_if(values->values.begin(), values->values.end(), [](float v) { return !std::isfinite(v); });
+  if (broken == values->values.end()) return values;
+  // Frames can be found without these, and texture coordinates place no geometry; exporters do write NaN there.
+  const auto vertex = std::size_t(broken - values->values.begin()) / std::size_t(values->components);
+  if (name != "NORMAL" && name != "TANGENT" && !name.starts_with("TEXCOORD_")) {
+    throw document_.wrong(part, "{} of vertex {} is {}, expected finite numbers", name, vertex, *broken);
+  }
+  document_.warn(fmt::format("{}: {} of vertex {} is {}: such values count as zero", part, name, vertex, *broken));
+  auto mended = std::make_shared<FloatArray>(*values);
+  const auto components = std::size_t(mended->components);
+  for (std::size_t i = 0; i < mended->values.size(); i += components) {
+    float* element = &mended->values[i];
+    if (!std::all_of(element, element + components, [](float v) { return std::isfinite(v); })) {
+      std::fill_n(element, components, 0.0f);
     }
   }
+  return mended;
 }
 
 SharedFloats PrimitiveReader::attribute(const tinygltf::Primitive& in, const std::string& name, std::size_t count,
@@ -101,8 +113,8 @@ SharedFloats PrimitiveReader::attribute(const tinygltf::Primitive& in, const std
   if (document_.model.accessors[std::size_t(found->second)].componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
     throw document_.wrong(accessor + ".componentType", "is 5125, which {} cannot have", name);
   }
-  const SharedFloats values = floats(found->second);
-  check_shape(*values, name, accessor);
+  SharedFloats& values = attributes_[{name, found->second}];
+  if (!values) values = checked(floats(found->second), name, accessor);
   if (count != 0 && values->count() != count) {
     throw document_.wrong(part + ".attributes." + name, "{} has {} elements, POSITION has {}", accessor,
                           values->count(), count);
@@ -122,9 +134,7 @@ std::unique_ptr<GltfPrimitive> PrimitiveReader::make(int mesh, int index) {
   const auto get = [&](const std::string& name, std::size_t count) -> SharedFloats {
     const auto found = draco.attributes.find(name);
     if (found == draco.attributes.end()) return attribute(in, name, count, out->part);
-    SharedFloats values = own(std::move(found->second), true);
-    check_shape(*values, name, out->part + ".attributes." + name);
-    return values;
+    return checked(own(std::move(found->second), true), name, out->part + ".attributes." + name);
   };
 
   out->positions = get("POSITION", 0);

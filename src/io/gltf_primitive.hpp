@@ -41,12 +41,13 @@ class PrimitiveReader {
                          const std::string& part);
   SharedFloats floats(int accessor);
   std::unique_ptr<GltfPrimitive> make(int mesh, int primitive);
-  void check_shape(const FloatArray& values, const std::string& name, const std::string& part) const;
+  SharedFloats checked(SharedFloats values, const std::string& name, const std::string& part);
 
   GltfDocument& document_;
   std::map<std::pair<int, int>, std::unique_ptr<GltfPrimitive>> known_;
   std::map<int, SharedFloats> accessors_;
-  std::map<int, int> skipped_;  // by mode
+  std::map<std::pair<std::string, int>, SharedFloats> attributes_;  // by what an accessor is used as
+  std::map<int, int> skipped_;                                      // by mode
 };
 
 }  // namespace tessera

@@ -47,6 +47,10 @@ void check_png_chunks(std::span<const std::byte> bytes, const std::string& name)
     const std::size_t length = big_endian(bytes, at, 4);
     const std::string_view type = text(bytes).substr(at + 4, 4);
     if (length > bytes.size() - at - 12) break;
+    if (!std::all_of(type.begin(), type.end(),
+                     [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); })) {
+      throw input_error("{}: damaged: PNG chunk at byte {} has no valid type", name, at);
+    }
     const bool critical = type[0] >= 'A' && type[0] <= 'Z';
     if (critical && crc32(bytes.subspan(at + 4, length + 4)) != big_endian(bytes, at + 8 + length, 4)) {
       throw input_error("{}: damaged: PNG chunk at byte {} has a wrong checksum", name, at);

@@ -29,7 +29,7 @@ class OutputFile {
   void copy_to_target();
 
   std::string target_, name_, temporary_;
-  FileGuard guard_;  // of the temporary
+  FileGuard guard_;    // of the temporary
   bool copy_ = false;  // commit by copying
   std::FILE* file_ = nullptr;
 };
