@@ -21,8 +21,14 @@ void rasterize_opaque(const RasterizeArgs& args, RasterCounters* counters) {
   const SamplePattern pattern = standard_pattern(args.tile.samples);
   const SampleExtent extent = sample_extent(pattern);
   RasterCounters sum = *counters;
-  for (std::uint32_t i = 0; i < args.count; ++i) {
-    rasterize_triangle(args.tile, args.triangles[args.list[i]], pattern, extent, sum);
+  if (pattern.count == 1) {
+    for (std::uint32_t i = 0; i < args.count; ++i) {
+      rasterize_triangle<1>(args.tile, args.triangles[args.list[i]], pattern, extent, sum);
+    }
+  } else {
+    for (std::uint32_t i = 0; i < args.count; ++i) {
+      rasterize_triangle<0>(args.tile, args.triangles[args.list[i]], pattern, extent, sum);
+    }
   }
   *counters = sum;
 }

@@ -1,6 +1,6 @@
 #include "kernels/entry/entries.hpp"
 #include "kernels/raster/project.hpp"
-#include "kernels/raster/setup.hpp"
+#include "kernels/raster/setup_vector.hpp"
 
 namespace tessera::TESSERA_ISA {
 
@@ -27,10 +27,17 @@ void project_vertices(const ViewTransform& view, const float* positions, std::ui
 
 std::uint32_t setup_triangles(const SetupTrianglesArgs& args) {
   const SamplePattern pattern = standard_pattern(args.samples);
-  std::uint32_t written = 0;
   args.counters->in += args.count;
-  for (std::uint32_t i = 0; i < args.count; ++i) {
-    written += setup_one(args, pattern, args.first + i, args.out + written);
+  std::uint32_t written = 0;
+  if (args.geometry.vertex_count > max_gathered_vertices) {
+    for (std::uint32_t i = 0; i < args.count; ++i) {
+      written += setup_one(args, pattern, args.first + i, args.out + written);
+    }
+    return written;
+  }
+  for (std::uint32_t i = 0; i < args.count; i += std::uint32_t(Int::lanes)) {
+    const int count = static_cast<int>(min(std::int64_t(args.count - i), std::int64_t(Int::lanes)));
+    written += setup_vector(args, pattern, args.first + i, count, args.out + written);
   }
   return written;
 }

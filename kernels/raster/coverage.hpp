@@ -17,7 +17,7 @@ struct BlockMasks {      // bit: row * block_columns + column
 };
 
 /// Tests all blocks of the tile at once, at the corner samples that are farthest inside and outside of each edge.
-inline BlockMasks classify_blocks(const TileEdges& edges, const TileBox& box) {
+TESSERA_INLINE BlockMasks classify_blocks(const TileEdges& edges, const TileBox& box) {
   BlockMasks out{0, 0};
   for (int first = 0; first < blocks_per_tile; first += Int::lanes) {
     const Int index = lane_index() + Int(first);
@@ -49,26 +49,27 @@ struct TriangleInTile {
   Int lane, lane_a[3];
   Float lane_x;
 
-  TriangleInTile(const VisibilityTile& v, const SetupTriangle& t, const SamplePattern& p, const TileEdges& e)
+  TESSERA_INLINE TriangleInTile(const VisibilityTile& v, const SetupTriangle& t, const SamplePattern& p,
+                                const TileEdges& e)
       : tile(v), triangle(t), pattern(p), edges(e), plane(t), lane(lane_index()), lane_x(to_float(lane)) {
     for (int k = 0; k < 3; ++k) lane_a[k] = Int(e.a[k]) * lane;
   }
 
-  [[nodiscard]] Int edge(int e, int x, int y, int s) const {
+  [[nodiscard]] TESSERA_INLINE Int edge(int e, int x, int y, int s) const {
     return Int(edges.c[e][s] + edges.a[e] * x + edges.b[e] * y) + lane_a[e];
   }
-  [[nodiscard]] Float along_x(int x, int s) const {
+  [[nodiscard]] TESSERA_INLINE Float along_x(int x, int s) const {
     const float first = from_vertex(tile.x << subpixel_bits, x, pattern.x[s], triangle.x[0]);
     return plane.along_x(Float(first) + lane_x);
   }
-  [[nodiscard]] Float depth(Float along, int y, int s) const {
+  [[nodiscard]] TESSERA_INLINE Float depth(Float along, int y, int s) const {
     return plane.at(along, Float(from_vertex(tile.y << subpixel_bits, y, pattern.y[s], triangle.y[0])));
   }
 };
 
 /// Nearer wins; at equal depth the lower triangle index, so that the order of triangles does not matter.
-inline Mask depth_test(Mask covered, Float depth, Float old_depth, const std::uint32_t* old_triangle,
-                       std::uint32_t triangle) {
+TESSERA_INLINE Mask depth_test(Mask covered, Float depth, Float old_depth, const std::uint32_t* old_triangle,
+                               std::uint32_t triangle) {
   const Mask nearer = covered & (depth > old_depth), equal = covered & (depth == old_depth);
   if (none(equal)) return nearer;
   const Int sign(0x80000000u);  // turns a signed comparison into an unsigned one
@@ -77,25 +78,26 @@ inline Mask depth_test(Mask covered, Float depth, Float old_depth, const std::ui
 }
 
 /// Rows y0 to y1 of one sample plane, as many columns as a vector has lanes from x on.
-inline void rasterize_rows(const TriangleInTile& t, int x, int y0, int y1, int s, bool inside, Mask visible,
-                           RasterCounters& counters) {
+TESSERA_INLINE void rasterize_rows(const TriangleInTile& t, int x, int y0, int y1, int s, bool inside, bool skip_empty,
+                                   RasterCounters& counters) {
   const std::size_t offset = std::size_t(s) * tile_pixels + std::size_t(y0) * tile_size + std::size_t(x);
   float* depth_row = t.tile.depth + offset;
   std::uint32_t* triangle_row = t.tile.triangle + offset;
+  const Mask visible = t.lane < Int(t.tile.width - x);
   const Float along = t.along_x(x, s);
+  const Int id(t.triangle.triangle), b0(t.edges.b[0]), b1(t.edges.b[1]), b2(t.edges.b[2]);
   Int e0 = t.edge(0, x, y0, s), e1 = t.edge(1, x, y0, s), e2 = t.edge(2, x, y0, s);
-  const Int b0(t.edges.b[0]), b1(t.edges.b[1]), b2(t.edges.b[2]);
   for (int y = y0; y <= y1; ++y) {
     const Mask covered = inside ? visible : visible & ((e0 | e1 | e2) >= Int(0));
     e0 += b0;
     e1 += b1;
     e2 += b2;
-    if (any(covered)) {
+    if (!skip_empty || any(covered)) {
       const Float depth = t.depth(along, y, s), old_depth = load<Float>(depth_row);
       const Mask pass = depth_test(covered, depth, old_depth, triangle_row, t.triangle.triangle);
       auto* ids = reinterpret_cast<std::int32_t*>(triangle_row);
       store(depth_row, select(pass, depth, old_depth));
-      store(ids, select(pass, Int(t.triangle.triangle), load_int<Int>(ids)));
+      store(ids, select(pass, id, load_int<Int>(ids)));
       counters.samples_tested += std::uint64_t(__builtin_popcount(to_bits(covered)));
       counters.samples_passed += std::uint64_t(__builtin_popcount(to_bits(pass)));
     }
@@ -107,40 +109,46 @@ inline void rasterize_rows(const TriangleInTile& t, int x, int y0, int y1, int s
 /// Triangles whose bounding box is at most this large skip the blocks. Not a matter of lanes: blocks_rejected is the
 /// same everywhere.
 inline constexpr int small_width = 16, small_height = 8;
+/// Whether a test for empty rows costs less than drawing them: where mul_add is emulated.
+inline constexpr bool skip_empty_rows = Float::lanes == 4;
 
-inline void rasterize_triangle(const VisibilityTile& tile, const SetupTriangle& triangle, const SamplePattern& pattern,
-                               const SampleExtent& extent, RasterCounters& counters) {
+/// N: the number of samples where it is known at compile time, else 0.
+template <int N>
+TESSERA_INLINE void rasterize_triangle(const VisibilityTile& tile, const SetupTriangle& triangle,
+                                       const SamplePattern& pattern, const SampleExtent& extent,
+                                       RasterCounters& counters) {
+  const int samples = N > 0 ? N : pattern.count;
   const TileBox box = tile_box(tile, triangle, extent);
   if (box.empty()) return;
   TileEdges edges;
-  make_edges(tile, triangle, pattern, edges);
+  make_edges<N>(tile, triangle, pattern, edges);
   const TriangleInTile t(tile, triangle, pattern, edges);
-  const auto visible_from = [&](int x) { return t.lane < Int(tile.width - x); };
   if (box.x1 - box.x0 < small_width && box.y1 - box.y0 < small_height) {
-    for (int s = 0; s < pattern.count; ++s) {
-      int from = box.x0;
-      while (from <= box.x1) {
-        const int x = min(from, tile_size - Float::lanes);  // a vector ends within its row
-        // Columns before `from` were drawn by the vector before.
-        rasterize_rows(t, x, box.y0, box.y1, s, false, visible_from(x) & (t.lane >= Int(from - x)), counters);
-        from = x + Float::lanes;
+    for (int s = 0; s < samples; ++s) {
+      // Aligned columns: a load that finds the store of the triangle before it at the same place is fast.
+      for (int x = box.x0 & -Float::lanes; x <= box.x1; x += Float::lanes) {
+        rasterize_rows(t, x, box.y0, box.y1, s, false, skip_empty_rows, counters);
       }
     }
     return;
   }
   const BlockMasks blocks = classify_blocks(edges, box);
-  const int touched =
-      (box.x1 / block_width - box.x0 / block_width + 1) * (box.y1 / block_height - box.y0 / block_height + 1);
-  counters.blocks_rejected += std::uint64_t(touched - __builtin_popcount(blocks.alive));
+  const int columns = box.x1 / block_width - box.x0 / block_width + 1;
+  const int rows = box.y1 / block_height - box.y0 / block_height + 1;
+  counters.blocks_rejected += std::uint64_t(columns * rows - __builtin_popcount(blocks.alive));
   for (std::uint32_t left = blocks.alive; left != 0; left &= left - 1) {
     const int block = __builtin_ctz(left);
     const bool inside = (blocks.inside >> block & 1) != 0;
     const int block_x = block % block_columns * block_width, block_y = block / block_columns * block_height;
     const int y0 = max(block_y, box.y0), y1 = min(block_y + block_height - 1, box.y1);
     const int x_last = min(block_x + block_width - 1, box.x1);
-    for (int s = 0; s < pattern.count; ++s) {
+    for (int s = 0; s < samples; ++s) {
       for (int x = block_x; x <= x_last; x += Float::lanes) {
-        rasterize_rows(t, x, y0, y1, s, inside, visible_from(x), counters);
+        if (inside) {
+          rasterize_rows(t, x, y0, y1, s, true, false, counters);
+        } else {
+          rasterize_rows(t, x, y0, y1, s, false, true, counters);
+        }
       }
     }
   }

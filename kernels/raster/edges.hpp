@@ -25,8 +25,11 @@ struct TileEdges {
   std::int32_t c_min[3], c_max[3];  // over the samples
 };
 
-inline void make_edges(const VisibilityTile& tile, const SetupTriangle& t, const SamplePattern& pattern,
-                       TileEdges& out) {
+/// N: the number of samples where it is known at compile time, else 0.
+template <int N = 0>
+TESSERA_INLINE void make_edges(const VisibilityTile& tile, const SetupTriangle& t, const SamplePattern& pattern,
+                               TileEdges& out) {
+  const int samples = N > 0 ? N : pattern.count;
   constexpr std::int64_t limit = 1 << 30;
   const std::int32_t left = tile.x << subpixel_bits, top = tile.y << subpixel_bits;
   for (int e = 0; e < 3; ++e) {
@@ -37,7 +40,7 @@ inline void make_edges(const VisibilityTile& tile, const SetupTriangle& t, const
     out.a[e] = a;
     out.b[e] = b;
     std::int32_t c_min = limit, c_max = -limit;
-    for (int s = 0; s < pattern.count; ++s) {
+    for (int s = 0; s < samples; ++s) {
       const std::int64_t exact = (c + std::int64_t(a) * pattern.x[s] + std::int64_t(b) * pattern.y[s]) >> subpixel_bits;
       const auto clamped = static_cast<std::int32_t>(min(max(exact, -limit), limit));
       out.c[e][s] = clamped;
@@ -70,7 +73,7 @@ struct TileBox {  // pixels of the tile, both ends included; empty if an end lie
 };
 
 /// The visible pixels that have a sample within the triangle's bounding box.
-inline TileBox tile_box(const VisibilityTile& tile, const SetupTriangle& t, const SampleExtent& extent) {
+TESSERA_INLINE TileBox tile_box(const VisibilityTile& tile, const SetupTriangle& t, const SampleExtent& extent) {
   const std::int32_t left = tile.x << subpixel_bits, top = tile.y << subpixel_bits;
   const std::int32_t x_min = min(min(t.x[0], t.x[1]), t.x[2]) - left, x_max = max(max(t.x[0], t.x[1]), t.x[2]) - left;
   const std::int32_t y_min = min(min(t.y[0], t.y[1]), t.y[2]) - top, y_max = max(max(t.y[0], t.y[1]), t.y[2]) - top;
@@ -87,14 +90,14 @@ template <class F>
 struct DepthPlane {
   F depth, dx, dy, low, high;
 
-  explicit DepthPlane(const SetupTriangle& t)
+  TESSERA_INLINE explicit DepthPlane(const SetupTriangle& t)
       : depth(t.depth), dx(t.depth_dx), dy(t.depth_dy), low(t.depth_min), high(t.depth_max) {}
-  [[nodiscard]] F along_x(F x) const { return mul_add(dx, x, depth); }
-  [[nodiscard]] F at(F along, F y) const { return clamp(mul_add(dy, y, along), low, high); }
+  [[nodiscard]] TESSERA_INLINE F along_x(F x) const { return mul_add(dx, x, depth); }
+  [[nodiscard]] TESSERA_INLINE F at(F along, F y) const { return clamp(mul_add(dy, y, along), low, high); }
 };
 
 /// Distance in pixels of a sample from vertex 0: tile corner and vertex in 1/256 pixel, pixel inside the tile.
-inline float from_vertex(std::int32_t corner, int pixel, std::int32_t sample, std::int32_t vertex) {
+TESSERA_INLINE float from_vertex(std::int32_t corner, int pixel, std::int32_t sample, std::int32_t vertex) {
   return float(corner + (pixel << subpixel_bits) + sample - vertex) * (1.0f / 256);
 }
 

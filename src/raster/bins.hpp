@@ -24,11 +24,18 @@ struct TileSpan {
   std::uint32_t triangle_and_class;  // index within the chunk, times 4, plus AlphaMode
 };
 
+/// Memory that a thread keeps while it fills chunks.
+struct BinScratch {
+  std::vector<TileSpan> spans;
+  std::vector<std::uint16_t> rows;
+};
+
 /// Where the triangles of one chunk go: spans bucketed by tile row, only for the rows that they touch.
 class ChunkBins {
  public:
-  /// triangles: the chunk's set-up triangles; alpha: the class of each.
-  void fill(const TileScreen& screen, std::span<const SetupTriangle> triangles, std::span<const AlphaMode> alpha);
+  /// setup: the chunk's triangles, whose indices refer to `triangles`; alpha_modes: per binding.
+  void fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const Triangle* triangles,
+            std::span<const AlphaMode> alpha_modes, BinScratch& scratch);
   [[nodiscard]] std::span<const TileSpan> row(int row) const;
   [[nodiscard]] std::size_t bytes() const;
 

@@ -10,6 +10,7 @@ namespace {
 
 // Fixed, so that nothing depends on the number of threads. A chunk's triangles and their set-up fit in L2.
 constexpr std::uint32_t triangles_per_chunk = 4096;
+constexpr std::size_t setup_per_chunk = std::size_t{triangles_per_chunk} * max_setup_per_triangle;
 constexpr std::uint32_t vertices_per_chunk = 8192;
 
 std::uint32_t chunks_of(std::uint32_t count, std::uint32_t size) { return count / size + (count % size != 0); }
@@ -53,25 +54,18 @@ void GeometryStage::run(const GeometryView& geometry, const ViewTransform& view,
 
 void GeometryStage::set_up_chunk(const SetupTrianglesArgs& all, std::size_t index,
                                  std::span<const AlphaMode> alpha_modes, const Kernels& kernels) {
-  std::unique_ptr<SetupTriangle[]>& scratch = scratch_[static_cast<std::size_t>(thread_index())];
-  if (!scratch) {
-    scratch =
-        std::make_unique_for_overwrite<SetupTriangle[]>(std::size_t{triangles_per_chunk} * max_setup_per_triangle);
-  }
+  Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index())];
+  if (!scratch.setup) scratch.setup = std::make_unique_for_overwrite<SetupTriangle[]>(setup_per_chunk);
   Chunk& chunk = chunks_[index];
   chunk.counters = {};
   SetupTrianglesArgs args = all;
   args.first = static_cast<std::uint32_t>(index) * triangles_per_chunk;
   args.count = std::min(triangles_per_chunk, all.geometry.triangle_count - args.first);
-  args.out = scratch.get();
+  args.out = scratch.setup.get();
   args.counters = &chunk.counters;
   const std::uint32_t count = kernels.setup_triangles(args);
-  chunk.setup.assign(scratch.get(), scratch.get() + count);
-  std::vector<AlphaMode> alpha(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    alpha[i] = alpha_modes[all.geometry.triangles[chunk.setup[i].triangle].binding];
-  }
-  chunk_bins_[index].fill(screen_, chunk.setup, alpha);
+  chunk.setup.assign(args.out, args.out + count);
+  chunk_bins_[index].fill(screen_, chunk.setup, all.geometry.triangles, alpha_modes, scratch.bins);
 }
 
 void GeometryStage::join_chunks() {
@@ -97,8 +91,9 @@ std::size_t GeometryStage::bytes() const {
   for (const Chunk& chunk : chunks_) sum += chunk.setup.capacity() * sizeof(SetupTriangle);
   for (const ChunkBins& chunk : chunk_bins_) sum += chunk.bytes();
   for (const RowBins& row : rows_) sum += row.bytes();
-  for (const auto& s : scratch_) {
-    if (s) sum += std::size_t{triangles_per_chunk} * max_setup_per_triangle * sizeof(SetupTriangle);
+  for (const Scratch& s : scratch_) {
+    sum += (s.setup ? setup_per_chunk * sizeof(SetupTriangle) : 0) + s.bins.spans.capacity() * sizeof(TileSpan) +
+           s.bins.rows.capacity() * sizeof(std::uint16_t);
   }
   return sum;
 }

@@ -36,6 +36,10 @@ class GeometryStage {
     std::vector<SetupTriangle> setup;
     GeometryCounters counters;
   };
+  struct Scratch {
+    std::unique_ptr<SetupTriangle[]> setup;
+    BinScratch bins;
+  };
   void set_up_chunk(const SetupTrianglesArgs& all, std::size_t chunk, std::span<const AlphaMode> alpha_modes,
                     const Kernels& kernels);
   void join_chunks();
@@ -46,7 +50,7 @@ class GeometryStage {
   std::vector<ChunkBins> chunk_bins_;
   std::vector<std::uint32_t> base_;  // first set-up triangle of each chunk, and the end
   std::vector<RowBins> rows_;
-  std::vector<std::unique_ptr<SetupTriangle[]>> scratch_;  // per thread
+  std::vector<Scratch> scratch_;  // per thread
   std::unique_ptr<SetupTriangle[]> setup_;
   std::size_t setup_count_ = 0, setup_capacity_ = 0;
   GeometryCounters counters_{};

@@ -24,22 +24,7 @@ TileScreen::TileScreen(int frame_width, int frame_height, const SamplePattern& p
   x_min = *left, x_max = *right, y_min = *top, y_max = *bottom;
 }
 
-TouchedTiles::TouchedTiles(const TileScreen& screen, const SetupTriangle& t) {
-  const auto [left, right] = std::minmax({t.x[0], t.x[1], t.x[2]});
-  const auto [top, bottom] = std::minmax({t.y[0], t.y[1], t.y[2]});
-  // Samples on the right and bottom border of the bounding box belong to neighbours (top-left rule).
-  const int x0 = std::max((left - screen.x_max + 255) >> subpixel_bits, 0);
-  const int x1 = std::min((right - screen.x_min - 1) >> subpixel_bits, screen.width - 1);
-  const int y0 = std::max((top - screen.y_max + 255) >> subpixel_bits, 0);
-  const int y1 = std::min((bottom - screen.y_min - 1) >> subpixel_bits, screen.height - 1);
-  if (x0 > x1 || y0 > y1) {
-    box_ = {0, -1}, first_row_ = 0, last_row_ = -1, by_edges_ = false;
-    return;
-  }
-  box_ = {x0 / tile_size, x1 / tile_size};
-  first_row_ = y0 / tile_size, last_row_ = y1 / tile_size;
-  by_edges_ = box_.last - box_.first > 1 || last_row_ - first_row_ > 1;
-  if (!by_edges_) return;
+void TouchedTiles::set_edges(const TileScreen& screen, const SetupTriangle& t) {
   for (int e = 0; e < 3; ++e) {  // as kernels/raster/edges.hpp defines them
     const int next = (e + 1) % 3;
     const std::int64_t a = t.y[next] - t.y[e], b = t.x[e] - t.x[next];

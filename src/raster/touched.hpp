@@ -1,5 +1,6 @@
 // Which tiles a triangle may touch.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 
 #include "kernels/interface.hpp"
@@ -25,7 +26,19 @@ struct TileRange {
 /// samples lie wholly outside one edge is left out, exactly. So it is a superset of the tiles with covered samples.
 class TouchedTiles {
  public:
-  TouchedTiles(const TileScreen& screen, const SetupTriangle& triangle);
+  TouchedTiles(const TileScreen& screen, const SetupTriangle& t) {
+    // Samples on the right and bottom border of the bounding box belong to neighbours (top-left rule).
+    const int x0 = std::max((std::min({t.x[0], t.x[1], t.x[2]}) - screen.x_max + 255) >> subpixel_bits, 0);
+    const int x1 = std::min((std::max({t.x[0], t.x[1], t.x[2]}) - screen.x_min - 1) >> subpixel_bits, screen.width - 1);
+    const int y0 = std::max((std::min({t.y[0], t.y[1], t.y[2]}) - screen.y_max + 255) >> subpixel_bits, 0);
+    const int y1 =
+        std::min((std::max({t.y[0], t.y[1], t.y[2]}) - screen.y_min - 1) >> subpixel_bits, screen.height - 1);
+    if (x0 > x1 || y0 > y1) return;
+    box_ = {x0 / tile_size, x1 / tile_size};
+    first_row_ = y0 / tile_size, last_row_ = y1 / tile_size;
+    by_edges_ = box_.last - box_.first > 1 || last_row_ - first_row_ > 1;
+    if (by_edges_) set_edges(screen, t);
+  }
   [[nodiscard]] int first_row() const { return first_row_; }
   [[nodiscard]] int last_row() const { return last_row_; }  // before first_row: none
   /// Empty (last < first) where the edges leave nothing of the row.
@@ -34,9 +47,11 @@ class TouchedTiles {
  private:
   [[nodiscard]] TileRange row_within_edges(int row) const;
 
-  TileRange box_;
-  int first_row_, last_row_;
-  bool by_edges_;
+  void set_edges(const TileScreen& screen, const SetupTriangle& t);
+
+  TileRange box_{0, -1};
+  int first_row_ = 0, last_row_ = -1;
+  bool by_edges_ = false;
   std::int64_t a_[3], b_[3], most_[3];  // most_: the edge function at its best sample of tile (0, 0)
 };
 

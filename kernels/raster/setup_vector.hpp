@@ -1,0 +1,147 @@
+// Set-up of a vector of triangles at a time: rejection, and the whole set-up of triangles up to 128 pixels. What is
+// larger or needs clipping goes one at a time through setup.hpp; both give the same bits.
+#pragma once
+#include "kernels/raster/setup.hpp"
+
+namespace tessera::TESSERA_ISA {
+namespace {
+
+// Edges below 2^15 units: products stay below 2^30 and twice the area below 2^31, exact in 32 bits.
+inline constexpr std::int32_t small_extent = 1 << 15;
+// gather() counts 32-bit words in 31 bits; a vertex has four.
+inline constexpr std::uint32_t max_gathered_vertices = 1u << 29;
+
+struct VectorTriangles {
+  Int index[3];  // word offsets of the three ProjectedVertex
+  Int x[3], y[3];
+  Float depth[3];
+};
+
+TESSERA_INLINE Int gather_words(const void* base, Int word) {
+  return gather(static_cast<const std::int32_t*>(base), word);
+}
+
+/// has_sample() for every lane.
+TESSERA_INLINE Mask has_sample(Int x_min, Int x_max, Int y_min, Int y_max, const SamplePattern& pattern, int width,
+                               int height) {
+  Mask found(false);
+  for (int s = 0; s < pattern.count && !all(found); ++s) {
+    const Int x_first = max((x_min + Int(255 - pattern.x[s])) >> subpixel_bits, Int(0));
+    const Int x_last = min((x_max - Int(pattern.x[s] + 1)) >> subpixel_bits, Int(width - 1));
+    const Int y_first = max((y_min + Int(255 - pattern.y[s])) >> subpixel_bits, Int(0));
+    const Int y_last = min((y_max - Int(pattern.y[s] + 1)) >> subpixel_bits, Int(height - 1));
+    found |= (x_first <= x_last) & (y_first <= y_last);
+  }
+  return found;
+}
+
+/// Which of the lanes' bindings keep back faces; a run of triangles usually has one binding.
+TESSERA_INLINE std::uint32_t double_sided_lanes(const std::uint8_t* double_sided, const Triangle* triangles,
+                                                std::uint32_t lanes) {
+  std::uint32_t out = 0;
+  for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+    const int i = __builtin_ctz(left);
+    out |= std::uint32_t(double_sided[triangles[i].binding] != 0) << i;
+  }
+  return out;
+}
+
+/// Writes the set-up of the lanes of `kept`; lanes of `turned` are back faces.
+struct SetupLanes {
+  alignas(64) std::int32_t word[11][Int::lanes];  // the fields of SetupTriangle before `triangle`
+
+  TESSERA_INLINE void fill(const VectorTriangles& t, Mask turned, Int area) {
+    const Int bx = select(turned, t.x[2], t.x[1]), cx = select(turned, t.x[1], t.x[2]);
+    const Int by = select(turned, t.y[2], t.y[1]), cy = select(turned, t.y[1], t.y[2]);
+    const Float b_depth = select(turned, t.depth[2], t.depth[1]), c_depth = select(turned, t.depth[1], t.depth[2]);
+    const Float a_depth = t.depth[0];
+    const DepthSlope<Float> slope =
+        depth_slope(to_float(bx - t.x[0]), to_float(by - t.y[0]), b_depth - a_depth, to_float(cx - t.x[0]),
+                    to_float(cy - t.y[0]), c_depth - a_depth, to_float(select(turned, -area, area)));
+    const Int fields[11] = {t.x[0],
+                            bx,
+                            cx,
+                            t.y[0],
+                            by,
+                            cy,
+                            bits(a_depth),
+                            bits(slope.dx),
+                            bits(slope.dy),
+                            bits(min(min(a_depth, b_depth), c_depth)),
+                            bits(max(max(a_depth, b_depth), c_depth))};
+    for (int f = 0; f < 11; ++f) store(word[f], fields[f]);
+  }
+  TESSERA_INLINE void write(int lane, std::uint32_t triangle, SetupTriangle* out) const {
+    *out = {{word[0][lane], word[1][lane], word[2][lane]},
+            {word[3][lane], word[4][lane], word[5][lane]},
+            from_bits(word[6][lane]),
+            from_bits(word[7][lane]),
+            from_bits(word[8][lane]),
+            from_bits(word[9][lane]),
+            from_bits(word[10][lane]),
+            triangle};
+  }
+};
+
+/// Triangles first to first + count, at most a vector of them. Returns how many were written.
+TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const SamplePattern& pattern,
+                                          std::uint32_t first, int count, SetupTriangle* out) {
+  const Triangle* triangles = args.geometry.triangles + first;
+  const Mask active = first_lanes(count);
+  const Int word = select(active, lane_index(), Int(0)) << 2;
+  VectorTriangles t;
+  Int any_flag(0), all_flags(-1);
+  for (int i = 0; i < 3; ++i) {
+    t.index[i] = gather_words(triangles, word + Int(i)) << 2;
+    const Int flags = gather_words(args.vertices, t.index[i] + Int(3));
+    any_flag |= flags;
+    all_flags &= flags;
+  }
+  constexpr int outside = outside_left | outside_right | outside_top | outside_bottom | outside_near | outside_far;
+  GeometryCounters& counters = *args.counters;
+  const Mask rejected = ((any_flag & Int(not_finite)) | (all_flags & Int(outside))) != Int(0);
+  counters.outside += std::uint64_t(__builtin_popcount(to_bits(active & rejected)));
+  const Mask candidates = active & !rejected;
+  if (none(candidates)) return 0;
+
+  for (int i = 0; i < 3; ++i) {
+    t.x[i] = gather_words(args.vertices, t.index[i]);
+    t.y[i] = gather_words(args.vertices, t.index[i] + Int(1));
+  }
+  const Int x_min = min(min(t.x[0], t.x[1]), t.x[2]), x_max = max(max(t.x[0], t.x[1]), t.x[2]);
+  const Int y_min = min(min(t.y[0], t.y[1]), t.y[2]), y_max = max(max(t.y[0], t.y[1]), t.y[2]);
+  const Mask fits = (x_max - x_min < Int(small_extent)) & (y_max - y_min < Int(small_extent)) &
+                    ((any_flag & Int(needs_clip)) == Int(0));
+  const Mask here = candidates & fits;
+  const Int area = (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]) - (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]);  // as twice_area()
+  const Mask negative = here & (area < Int(0));
+  const Mask turned = from_mask_bits(double_sided_lanes(args.double_sided, triangles, to_bits(negative)));
+  const Mask culled = negative & !turned;
+  const Mask facing = here & !culled;
+  const Mask kept =
+      facing & (area != Int(0)) & has_sample(x_min, x_max, y_min, y_max, pattern, args.view.width, args.view.height);
+  const std::uint32_t kept_lanes = to_bits(kept);
+  const auto kept_count = std::uint64_t(__builtin_popcount(kept_lanes));
+  counters.back_face += std::uint64_t(__builtin_popcount(to_bits(culled)));
+  counters.empty += std::uint64_t(__builtin_popcount(to_bits(facing))) - kept_count;
+  counters.kept += kept_count;
+
+  SetupLanes lanes;
+  if (kept_lanes != 0) {
+    for (int i = 0; i < 3; ++i) t.depth[i] = from_bits(gather_words(args.vertices, t.index[i] + Int(2)));
+    lanes.fill(t, turned, area);
+  }
+  std::uint32_t written = 0;
+  for (std::uint32_t left = kept_lanes | to_bits(candidates & !fits); left != 0; left &= left - 1) {
+    const int i = __builtin_ctz(left);
+    if ((kept_lanes >> i & 1) != 0) {
+      lanes.write(i, first + std::uint32_t(i), out + written++);
+    } else {
+      written += setup_one(args, pattern, first + std::uint32_t(i), out + written);
+    }
+  }
+  return written;
+}
+
+}  // namespace
+}  // namespace tessera::TESSERA_ISA
