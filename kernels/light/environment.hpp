@@ -40,11 +40,9 @@ inline constexpr int mantissa_bits<double> = 52;
 /// Three channels of the texel with this index (counted from level 0).
 template <class F>
 TESSERA_INLINE Vec3<F> cube_texel(const CubeView& cube, IntOf<F> index) {
-  const IntOf<F> offset = index << 3;
-  const IntOf<F> rg = gather_bytes(cube.texels, offset);
-  const IntOf<F> ba = gather_bytes(cube.texels + 2, offset);
-  return {half_to_float(rg & IntOf<F>(0xffff)), half_to_float(shift_right_logical(rg, 16)),
-          half_to_float(ba & IntOf<F>(0xffff))};
+  const IntPair rgba = gather_pairs(cube.texels, index << 3);
+  return {half_to_float(rgba.low & Int(0xffff)), half_to_float(shift_right_logical(rgba.low, 16)),
+          half_to_float(rgba.high & Int(0xffff))};
 }
 // One lane at a time: the same texel for tests and set-up.
 template <class F>

@@ -43,6 +43,21 @@ TESSERA_INLINE __m256 gather(const void* base, __m256i index) {
   return gather<scale>(base, index, _mm256_castsi256_ps(_mm256_set1_epi32(-1)));
 }
 
+// 64 bits per lane, by bytes.
+TESSERA_INLINE void gather_pairs(const void* base, __m256i offset, __m256i& low, __m256i& high) {
+  const auto* values = static_cast<const long long*>(base);
+  const __m256i zero = _mm256_setzero_si256(), all = _mm256_set1_epi32(-1);
+  const __m256 a =
+      _mm256_castsi256_ps(_mm256_mask_i32gather_epi64(zero, values, _mm256_castsi256_si128(offset), all, 1));
+  const __m256 b =
+      _mm256_castsi256_ps(_mm256_mask_i32gather_epi64(zero, values, _mm256_extracti128_si256(offset, 1), all, 1));
+  // Lanes 0 1 4 5 | 2 3 6 7, put in order in pairs.
+  const __m256i mixed_low = _mm256_castps_si256(_mm256_shuffle_ps(a, b, 0x88));
+  const __m256i mixed_high = _mm256_castps_si256(_mm256_shuffle_ps(a, b, 0xdd));
+  low = _mm256_permute4x64_epi64(mixed_low, 0xd8);
+  high = _mm256_permute4x64_epi64(mixed_high, 0xd8);
+}
+
 // Sixteen bits in the low half of each lane.
 TESSERA_INLINE __m256 half_to_float(__m256i x) {
   const __m256i low = _mm256_and_si256(x, _mm256_set1_epi32(0xffff));

@@ -47,6 +47,18 @@ TESSERA_INLINE __m512 gather(const void* base, __m512i index) {
   return gather<scale>(base, index, 0xffff);
 }
 
+// 64 bits per lane, by bytes.
+TESSERA_INLINE void gather_pairs(const void* base, __m512i offset, __m512i& low, __m512i& high) {
+  const __m512i zero = _mm512_setzero_si512();
+  const __m256i below = _mm512_maskz_extracti64x4_epi64(0xff, offset, 0);
+  const __m256i above = _mm512_maskz_extracti64x4_epi64(0xff, offset, 1);
+  const __m512i a = _mm512_mask_i32gather_epi64(zero, 0xff, below, base, 1);
+  const __m512i b = _mm512_mask_i32gather_epi64(zero, 0xff, above, base, 1);
+  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  low = _mm512_permutex2var_epi32(a, even, b);
+  high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
+}
+
 // Sixteen bits in the low half of each lane.
 TESSERA_INLINE __m512 half_to_float(__m512i x) {
   return _mm512_maskz_cvtph_ps(0xffff, _mm512_maskz_cvtepi32_epi16(0xffff, x));

@@ -68,6 +68,17 @@ TESSERA_INLINE float32x4_t gather(const void* base, int32x4_t index, uint32x4_t 
   return vreinterpretq_f32_s32(values);
 }
 
+// 64 bits per lane, by bytes.
+TESSERA_INLINE void gather_pairs(const void* base, int32x4_t offset, int32x4_t& low, int32x4_t& high) {
+  const auto load = [&](int byte) {
+    return vreinterpret_s32_u8(vld1_u8(static_cast<const std::uint8_t*>(base) + byte));
+  };
+  const int32x4_t a = vcombine_s32(load(offset[0]), load(offset[1])),
+                  b = vcombine_s32(load(offset[2]), load(offset[3]));
+  low = vuzp1q_s32(a, b);
+  high = vuzp2q_s32(a, b);
+}
+
 // Sixteen bits in the low half of each lane.
 TESSERA_INLINE float32x4_t half_to_float(int32x4_t x) {
   return vcvt_f32_f16(vreinterpret_f16_u16(vmovn_u32(vreinterpretq_u32_s32(x))));

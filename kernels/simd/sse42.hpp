@@ -89,6 +89,17 @@ TESSERA_INLINE __m128 gather(const void* base, __m128i index, __m128 active) {
   return _mm_castsi128_ps(_mm_setr_epi32(x, y, z, w));
 }
 
+// 64 bits per lane, by bytes.
+TESSERA_INLINE void gather_pairs(const void* base, __m128i offset, __m128i& low, __m128i& high) {
+  const auto load = [&](int byte) {
+    return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(static_cast<const char*>(base) + byte));
+  };
+  const __m128i a = _mm_unpacklo_epi32(load(_mm_extract_epi32(offset, 0)), load(_mm_extract_epi32(offset, 1)));
+  const __m128i b = _mm_unpacklo_epi32(load(_mm_extract_epi32(offset, 2)), load(_mm_extract_epi32(offset, 3)));
+  low = _mm_unpacklo_epi64(a, b);
+  high = _mm_unpackhi_epi64(a, b);
+}
+
 // Sixteen bits in the low half of each lane. As F16C: a signalling NaN turns quiet and keeps its other bits.
 TESSERA_INLINE __m128 half_to_float(__m128i x) {
   const __m128i magnitude = _mm_and_si128(x, _mm_set1_epi32(0x7fff));

@@ -14,8 +14,8 @@ struct Lobe {
 };
 
 /// The GGX lobe about +z for n = v = r (Karis 2013, "Real shading in Unreal Engine 4": half-vectors by D(h) n.h,
-/// weights n.l), at Hammersley points. roughness: perceptual, in (0, 1]; cube_size: texels along a face of the radiance
-/// that will be read, level 0.
+/// weights n.l), at the points of a spiral. roughness: perceptual, in (0, 1]; cube_size: texels along a face of the
+/// radiance that will be read, level 0.
 Lobe ggx_lobe(float roughness, int count, int cube_size, const Kernels& kernels);
 
 }  // namespace tessera

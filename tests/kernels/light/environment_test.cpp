@@ -1,0 +1,315 @@
+#define TESSERA_ISA scalar_test
+#include "kernels/light/environment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "kernels/runnable_kernels.hpp"
+
+namespace tessera::TESSERA_ISA {
+namespace {
+
+// ------------------------------------------------------------------- lookups as shared/peers/WORKLOAD.md defines them
+
+struct Direction {
+  double x, y, z;
+};
+
+// Face and (s, t) in [0, 1] by the table of OpenGL and Vulkan.
+int face_of(const Direction& d, double& s, double& t) {
+  const double ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
+  int face = 0;
+  double sc = 0, tc = 0, ma = 0;
+  if (ax >= ay && ax >= az) {
+    face = d.x < 0 ? 1 : 0, ma = ax, sc = d.x < 0 ? d.z : -d.z, tc = -d.y;
+  } else if (ay >= az) {
+    face = d.y < 0 ? 3 : 2, ma = ay, sc = d.x, tc = d.y < 0 ? -d.z : d.z;
+  } else {
+    face = d.z < 0 ? 5 : 4, ma = az, sc = d.z < 0 ? -d.x : d.x, tc = -d.y;
+  }
+  s = (sc / ma + 1) / 2;
+  t = (tc / ma + 1) / 2;
+  return face;
+}
+
+Direction direction_of(int face, double s, double t) {
+  const double u = 2 * s - 1, v = 2 * t - 1;
+  const Direction directions[6] = {{1, -v, -u}, {-1, -v, u}, {u, 1, v}, {u, -1, -v}, {u, -v, 1}, {-u, -v, -1}};
+  return directions[face];
+}
+
+using Color = std::array<double, 3>;
+
+// Random texels without borders; a view with borders is made from them. Values are multiples of 3 below 2^10, so that
+// the mean of three is a half exactly.
+class TestCube {
+ public:
+  explicit TestCube(int size) : size_(size) {
+    std::mt19937 random(static_cast<unsigned>(size));
+    for (int n = size; n >= 1; n /= 2) {
+      levels_.emplace_back(std::size_t(6 * n * n));
+      for (Color& texel : levels_.back())
+        for (double& value : texel) value = 3.0 * (random() % 340);
+    }
+    for (int level = 0; level < int(levels_.size()); ++level) append_bordered(level);
+  }
+
+  CubeView view() const { return {halves_.data(), size_, int(levels_.size())}; }
+
+  Color sample(const Direction& d, double lod) const {
+    const double last = double(levels_.size() - 1);
+    lod = !(lod > 0) ? 0 : std::min(lod, last);
+    const int fine = int(lod);
+    const double w = lod - fine;
+    double s = 0, t = 0;
+    const int face = face_of(d, s, t);
+    const Color a = bilinear(fine, face, s, t), b = bilinear(std::min(fine + 1, int(last)), face, s, t);
+    return {a[0] * (1 - w) + b[0] * w, a[1] * (1 - w) + b[1] * w, a[2] * (1 - w) + b[2] * w};
+  }
+
+ private:
+  // A tap one step outside an edge is the neighbour's edge texel: found by walking over the edge in space.
+  Color tap(int level, int face, int i, int j) const {
+    const int n = size_ >> level;
+    if (i < 0 || j < 0 || i >= n || j >= n) {
+      const double beyond = 1e-7;
+      const double s = i < 0 ? -beyond : i >= n ? 1 + beyond : (i + 0.5) / n;
+      const double t = j < 0 ? -beyond : j >= n ? 1 + beyond : (j + 0.5) / n;
+      double s2 = 0, t2 = 0;
+      face = face_of(direction_of(face, s, t), s2, t2);
+      i = std::clamp(int(std::floor(s2 * n)), 0, n - 1);
+      j = std::clamp(int(std::floor(t2 * n)), 0, n - 1);
+    }
+    return levels_[std::size_t(level)][std::size_t((face * n + j) * n + i)];
+  }
+
+  // The four taps from (i, j) to (i + 1, j + 1): one outside two edges is the mean of the other three.
+  std::array<Color, 4> footprint(int level, int face, int i, int j) const {
+    const int n = size_ >> level;
+    std::array<Color, 4> taps{};
+    int corner = -1;
+    for (int k = 0; k < 4; ++k) {
+      const int x = i + k % 2, y = j + k / 2;
+      if ((x < 0 || x >= n) && (y < 0 || y >= n)) {
+        corner = k;
+      } else {
+        taps[std::size_t(k)] = tap(level, face, x, y);
+      }
+    }
+    if (corner >= 0) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (int k = 0; k < 4; ++k)
+          if (k != corner) sum += taps[std::size_t(k)][c];
+        taps[std::size_t(corner)][c] = sum / 3;
+      }
+    }
+    return taps;
+  }
+
+  Color bilinear(int level, int face, double s, double t) const {
+    const int n = size_ >> level;
+    const double x = s * n - 0.5, y = t * n - 0.5;
+    const int i = int(std::floor(x)), j = int(std::floor(y));
+    const double wx = x - i, wy = y - j;
+    const std::array<Color, 4> taps = footprint(level, face, i, j);
+    Color result{};
+    for (std::size_t c = 0; c < 3; ++c)
+      result[c] = (taps[0][c] * (1 - wx) + taps[1][c] * wx) * (1 - wy) + (taps[2][c] * (1 - wx) + taps[3][c] * wx) * wy;
+    return result;
+  }
+
+  void append_bordered(int level) {
+    const int n = size_ >> level;
+    for (int face = 0; face < 6; ++face) {
+      for (int j = -1; j <= n; ++j) {
+        for (int i = -1; i <= n; ++i) {
+          // A footprint that holds (i, j), with at least one texel inside the face.
+          const int left = std::min(i, n - 1), top = std::min(j, n - 1);
+          const std::array<Color, 4> taps = footprint(level, face, left, top);
+          const std::size_t k = std::size_t((j - top) * 2 + (i - left));
+          for (const double value : taps[k]) halves_.push_back(half(value));
+          halves_.push_back(half(1));
+        }
+      }
+    }
+  }
+
+  // Integers up to 2048.
+  static std::uint16_t half(double value) {
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent);
+    return value == 0 ? std::uint16_t{0} : std::uint16_t((exponent + 14) * 1024 + int(mantissa * 2048) - 1024);
+  }
+
+  int size_;
+  std::vector<std::vector<Color>> levels_;
+  std::vector<std::uint16_t> halves_;
+};
+
+std::vector<Direction> test_directions() {
+  std::vector<Direction> directions;
+  for (int x = -1; x <= 1; ++x)  // all ties
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0) directions.push_back({double(x), double(y), double(z)});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  for (int i = 0; i < 4000; ++i) {
+    Direction d{uniform(random), uniform(random), uniform(random)};
+    if (i % 4 == 0) d.y = d.x + 1e-3 * d.y;  // near an edge
+    if (i % 8 == 0) d.z = d.x - 1e-3 * d.z;  // near a corner
+    directions.push_back({float(d.x), float(d.y), float(d.z)});
+  }
+  return directions;
+}
+
+constexpr double test_lods[] = {0, 0.25, 1, 1.75, 3.5, -2, 99};
+
+TEST(SampleCube, MatchesItsDefinition) {
+  for (const int size : {1, 2, 4, 16, 64}) {
+    const TestCube cube(size);
+    for (const Direction& d : test_directions()) {
+      for (const double lod : test_lods) {
+        const Color expected = cube.sample(d, lod);
+        const Vec3<double> exact = sample_cube(cube.view(), Vec3<double>{d.x, d.y, d.z}, lod);
+        const Vec3<float> single =
+            sample_cube(cube.view(), Vec3<float>{float(d.x), float(d.y), float(d.z)}, float(lod));
+        ASSERT_NEAR(exact.x, expected[0], 1e-9) << size << " " << d.x << " " << d.y << " " << d.z << " " << lod;
+        ASSERT_NEAR(exact.y, expected[1], 1e-9);
+        ASSERT_NEAR(exact.z, expected[2], 1e-9);
+        // A texel coordinate errs by about 2 ulp of the size; texels differ by up to 1020.
+        const double tolerance = 1020 * (size * 4e-7 + 1e-6);
+        ASSERT_NEAR(double(single.x), expected[0], tolerance);
+        ASSERT_NEAR(double(single.y), expected[1], tolerance);
+        ASSERT_NEAR(double(single.z), expected[2], tolerance);
+      }
+    }
+  }
+}
+
+TEST(SampleCube, VectorsEqualScalarsToTheBit) {
+  const TestCube cube(16);
+  const std::vector<Direction> directions = test_directions();
+  for (std::size_t i = 0; i + Float::lanes <= directions.size(); i += Float::lanes) {
+    float x[Float::lanes], y[Float::lanes], z[Float::lanes], lod[Float::lanes];
+    for (std::size_t k = 0; k < Float::lanes; ++k) {
+      x[k] = float(directions[i + k].x), y[k] = float(directions[i + k].y), z[k] = float(directions[i + k].z);
+      lod[k] = float(test_lods[(i + 3 * k) % std::size(test_lods)]);
+    }
+    const Vec3<Float> d{load<Float>(x), load<Float>(y), load<Float>(z)};
+    const Vec3<Float> varying = sample_cube(cube.view(), d, load<Float>(lod));
+    const Vec3<Float> uniform = sample_cube_uniform(cube.view(), d, lod[0]);
+    for (int k = 0; k < Float::lanes; ++k) {
+      const Vec3<float> one{x[k], y[k], z[k]};
+      const Vec3<float> a = sample_cube(cube.view(), one, lod[k]), b = sample_cube_uniform(cube.view(), one, lod[0]);
+      ASSERT_EQ(lane(varying.x, k), a.x);
+      ASSERT_EQ(lane(varying.z, k), a.z);
+      ASSERT_EQ(lane(uniform.x, k), b.x);
+      ASSERT_EQ(lane(uniform.z, k), b.z);
+    }
+  }
+}
+
+// Through the one entry that reads a cube along given directions: a lobe of a single point.
+TEST(SampleCube, SameBitsOnEveryInstructionSet) {
+  const TestCube cube(16);
+  constexpr int size = 8;
+  for (int i = 0; i < 64; ++i) {
+    const Direction d = test_directions()[std::size_t(30 + i)];
+    const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+    const float x = float(d.x / length), y = float(d.y / length), z = float(d.z / length), weight = 1;
+    const float lod = float(test_lods[std::size_t(i) % std::size(test_lods)]);
+    std::vector<float> first;
+    for (const Kernels* kernels : runnable_kernels()) {
+      std::vector<float> texels(size * size * 4);
+      kernels->prefilter_cube({cube.view(), {&x, &y, &z, &weight, &lod, 1}, {i % 6, size, 0, size, texels.data()}});
+      if (first.empty()) first = texels;
+      ASSERT_EQ(texels, first) << kernels->isa;
+    }
+  }
+}
+
+TEST(SampleCube, AnyBitsGiveATexelOfTheCube) {
+  const TestCube cube(16);
+  constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float x : {0.0f, -0.0f, nan, inf, -inf, 1e-44f, 3e38f, -1.0f})
+    for (const float y : {0.0f, nan, inf, 1e-44f, 3e38f, 1.0f})
+      for (const float z : {0.0f, nan, -inf, 1e-44f, 3e38f, 1.0f})
+        for (const float lod : {nan, inf, -inf, 1e30f, 2.5f}) {
+          const Vec3<float> c = sample_cube(cube.view(), Vec3<float>{x, y, z}, lod);
+          for (const float value : {c.x, c.y, c.z}) {
+            ASSERT_GE(value, 0.0f);
+            ASSERT_LE(value, 1020.001f);
+          }
+        }
+}
+
+TEST(Irradiance, IsTheSeries) {
+  float sh[9][3];
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  for (auto& row : sh)
+    for (float& value : row) value = uniform(random);
+  for (int i = 0; i < 1000; ++i) {
+    Direction n{uniform(random), uniform(random), uniform(random)};
+    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    n = {n.x / length, n.y / length, n.z / length};
+    const double basis[9] = {
+        1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
+    const Vec3<double> e = irradiance(sh, Vec3<double>{n.x, n.y, n.z});
+    const Vec3<float> f = irradiance(sh, Vec3<float>{float(n.x), float(n.y), float(n.z)});
+    const double got[3] = {e.x, e.y, e.z};
+    const float single[3] = {f.x, f.y, f.z};
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 9; ++k) sum += double(sh[k][c]) * basis[k];
+      ASSERT_NEAR(got[c], std::max(sum, 0.0), 1e-14);
+      ASSERT_NEAR(double(single[c]), std::max(sum, 0.0), 2e-6);
+    }
+  }
+}
+
+TEST(SampleDfg, IsBilinearAndClampsToTheEdge) {
+  constexpr int size = 16;
+  std::vector<float> texels(size * size * 2);
+  std::mt19937 random(5);
+  for (float& value : texels) value = float(random() % 1000) / 1000;
+  const DfgView table{texels.data(), size};
+  const auto texel = [&](int i, int j, int c) {
+    i = std::clamp(i, 0, size - 1), j = std::clamp(j, 0, size - 1);
+    return double(texels[std::size_t((j * size + i) * 2 + c)]);
+  };
+  for (double NoV = 0; NoV <= 1; NoV += 1.0 / 97) {
+    for (double r = 0; r <= 1; r += 1.0 / 89) {
+      double A = 0, B = 0;
+      float a = 0, b = 0;
+      sample_dfg(table, NoV, r, A, B);
+      sample_dfg(table, float(NoV), float(r), a, b);
+      const double x = NoV * size - 0.5, y = r * size - 0.5;
+      const int i = int(std::floor(x)), j = int(std::floor(y));
+      const double wx = x - i, wy = y - j;
+      const auto expected = [&](int c) {
+        return (texel(i, j, c) * (1 - wx) + texel(i + 1, j, c) * wx) * (1 - wy) +
+               (texel(i, j + 1, c) * (1 - wx) + texel(i + 1, j + 1, c) * wx) * wy;
+      };
+      ASSERT_NEAR(A, expected(0), 1e-12);
+      ASSERT_NEAR(B, expected(1), 1e-12);
+      ASSERT_NEAR(double(a), expected(0), 5e-6);
+      ASSERT_NEAR(double(b), expected(1), 5e-6);
+    }
+  }
+  float a = -1, b = -1;
+  sample_dfg(table, std::numeric_limits<float>::quiet_NaN(), 2e30f, a, b);
+  EXPECT_EQ(a, float(texel(0, size - 1, 0)));
+  EXPECT_EQ(b, float(texel(0, size - 1, 1)));
+}
+
+}  // namespace
+}  // namespace tessera::TESSERA_ISA
