@@ -1,15 +1,14 @@
 // A G-buffer that was written, read and shaded gives the bits of the render that wrote it.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/frame.hpp"
-#include "frame/gbuffer_file.hpp"
 #include "golden/scenes.hpp"
 #include "precompute/environment.hpp"
+#include "src/frame/round_trip.hpp"
 
 namespace tessera {
 namespace {
@@ -28,24 +27,9 @@ class GBuffer : public testing::TestWithParam<int> {
     scene.settings.samples = samples;
     const View view = make_view(scene.camera, scene.settings.width, scene.settings.height, kernels);
     Renderer renderer(scene.scene, used, kernels);
-    Frame rendered, shaded;
+    Frame rendered;
     renderer.render(view, scene.settings, {{}, true}, rendered);
-    const auto attributes = gbuffer_attributes(rendered.gbuffer, view, scene.scene.lights);
-    if (rendered.gbuffer.is_flat()) {
-      FlatPlanes storage;
-      write_exr(path, scene.settings.width, scene.settings.height, flat_gbuffer_channels(rendered.gbuffer, storage),
-                attributes);
-    } else {
-      write_deep_gbuffer(path, rendered.gbuffer, attributes);
-    }
-    const GBufferFile file = read_gbuffer(path);
-    ASSERT_TRUE(file.view.has_value());
-    EXPECT_EQ(file.image.fragment_count(), rendered.gbuffer.fragment_count());
-    shade_gbuffer(file.image, *file.view, file.lights, used, scene.settings, kernels, shaded);
-    ASSERT_EQ(shaded.rgba.pixels.size(), rendered.rgba.pixels.size());
-    EXPECT_EQ(
-        std::memcmp(shaded.rgba.pixels.data(), rendered.rgba.pixels.data(), shaded.rgba.pixels.size() * sizeof(float)),
-        0);
+    expect_same_bits_from_gbuffer(rendered, view, scene.scene.lights, used, scene.settings, kernels, path);
   }
 };
 
