@@ -5,13 +5,22 @@
 #include "frame/lights.hpp"
 
 namespace tessera {
+namespace {
+
+// The table depends on nothing, not even on the instruction set that computes it: one for the whole process.
+const DfgTable& shared_dfg_table(const Kernels& kernels) {
+  static const DfgTable table = build_dfg_table(kernels);
+  return table;
+}
+
+}  // namespace
 
 Lighting::Lighting(const std::vector<Light>& file_lights, const Environment* env, const Kernels& kernels)
     : lights(compile_lights(file_lights, kernels)), environment(env) {
   if (!lights.empty()) features |= feature_lights;
   if (environment != nullptr) {
     features |= feature_environment;
-    dfg = build_dfg_table(kernels);
+    dfg = &shared_dfg_table(kernels);
   }
 }
 
@@ -20,7 +29,7 @@ void Lighting::apply(TileInputs& in) const {
   in.frame_features = features;
   if (environment == nullptr) return;
   in.environment = environment->view();
-  in.dfg = dfg.view();
+  in.dfg = dfg->view();
 }
 
 BackgroundSource Lighting::background(const RenderSettings& settings) const {

@@ -14,7 +14,7 @@ namespace tessera {
 struct Lighting {
   std::vector<LightView> lights;
   const Environment* environment = nullptr;
-  DfgTable dfg;  // empty without an environment
+  const DfgTable* dfg = nullptr;  // null without an environment
   std::uint32_t features = 0;
 
   Lighting(const std::vector<Light>& lights, const Environment* environment, const Kernels& kernels);

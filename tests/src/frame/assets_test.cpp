@@ -64,9 +64,10 @@ TEST(Assets, RenderAndShadeToTheSameBits) {
       }
     }
   }
-  // Single-sided planes that face the other way: nothing to see from here.
+  // Single-sided planes that face the other way, and one whose cutoff lies above every alpha.
+  const std::set<std::string> may_hide = {"22_vertex_color.gltf", "Material_AlphaMask_04.gltf"};
   for (const std::string& name : seen_nothing)
-    EXPECT_EQ(name.find("Mesh_Indices") == 0 || name.find("22_vertex") == 0, true) << name;
+    EXPECT_TRUE(may_hide.count(name) == 1 || name.starts_with("Mesh_Indices")) << name << " shows nothing";
 }
 
 }  // namespace
