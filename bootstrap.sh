@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From a fresh clone to a picture: ./bootstrap.sh help
 set -euo pipefail
+started_in=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 build_dir=build/release
@@ -96,7 +97,11 @@ first_existing() {
 }
 
 demo() {
-  local scene=${1:-} environment=${2:-}
+  local scene=${1:-} environment=${2:-} framing=()
+  [[ -z "$scene" || "$scene" == /* ]] || scene=$started_in/$scene
+  [[ -z "$environment" || "$environment" == /* ]] || environment=$started_in/$environment
+  # A view of the demo's own model; any other is framed from its bounds.
+  [[ -n "$scene" ]] || framing=(--orbit 35,25,700 --env-rotation 180 --exposure -0.7 --samples 8)
   [[ -n "$scene" ]] || scene=$(first_existing \
     /usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb) ||
     fail "the demo's model is not here (Debian's package assimp-testmodels). Name one: ./bootstrap.sh demo SCENE.glb"
@@ -106,14 +111,14 @@ demo() {
     fail "the demo's environment is not here (Debian's package blender-data). Name one: ./bootstrap.sh demo SCENE.glb ENVIRONMENT.exr"
   say "Rendering $scene under $environment"
   mkdir -p out
-  "$build_dir/tessera" render "$scene" --env "$environment" --size 1920x1080 -o out/demo.png
+  "$build_dir/tessera" render "$scene" --env "$environment" --size 1920x1080 "${framing[@]}" --stats out/demo.json -o out/demo.png
   cat <<TEXT
 
-The picture: $PWD/out/demo.png
+The picture: $PWD/out/demo.png   (and its statistics: out/demo.json)
 
 Try next:
-  $build_dir/tessera render "$scene" --env "$environment" --orbit 30,20 --background color -o out/orbit.png
-  $build_dir/tessera render "$scene" --env "$environment" --aov id,depth,normal,albedo -o out/layers.exr
+  $build_dir/tessera render "$scene" --env "$environment" --orbit 215,30 --background '#202830' -o out/behind.png
+  $build_dir/tessera render "$scene" --light directional:-1,-2,-1:3 --aov id,depth,normal,albedo -o out/layers.exr
   $build_dir/tessera info "$scene"
   $build_dir/tessera render --help
   ./bootstrap.sh test
