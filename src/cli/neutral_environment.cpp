@@ -14,7 +14,7 @@ struct SoftBox {
 
 // The eye is at +Z (u = 0.75) unless told otherwise: a key light on its left, a fill on its right, a rim light behind.
 constexpr SoftBox soft_boxes[] = {
-    {0.88f, 0.27f, 0.060f, 0.090f, 7.0f},
+    {0.88f, 0.27f, 0.060f, 0.090f, 8.0f},
     {0.61f, 0.36f, 0.035f, 0.130f, 3.0f},
     {0.25f, 0.24f, 0.090f, 0.060f, 5.0f},
 };
@@ -37,8 +37,8 @@ Image neutral_environment() {
   Image image(256, 128, 3);
   for (int y = 0; y < image.height; ++y) {
     const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height);
-    // 0.25 below, 0.5 along the horizon, 0.9 above.
-    const float room = 0.25f + 0.25f * smooth_step((1.0f - v) / 0.5f) + 0.4f * smooth_step((0.5f - v) / 0.5f);
+    // 0.1 below, 0.25 along the horizon, 0.5 above.
+    const float room = 0.1f + 0.15f * smooth_step((1.0f - v) / 0.5f) + 0.25f * smooth_step((0.5f - v) / 0.5f);
     for (int x = 0; x < image.width; ++x) {
       const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(image.width);
       float radiance = room;

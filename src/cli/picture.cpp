@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // How a surface looks best whose lighting nobody chose: on a plain light grey.
-constexpr const char* neutral_background = "#c8c8c8";
+constexpr const char* neutral_background = "#b4b4b4";
 
 void append_layers(const Frame& frame, std::vector<ExrChannel>& channels) {
   for (const AovLayer& layer : frame.aovs)
