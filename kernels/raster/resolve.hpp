@@ -34,7 +34,7 @@ inline void resolve_position(const ResolveArgs& args, const Barycentrics<Float>&
 
 /// The tangent frame at the shaded point. `interpolated` is not normalised, `normal` is.
 inline TangentFrame<Float> resolve_frame(const ResolveArgs& args, const FragmentLanes& f, const Barycentrics<Float>& b,
-                                         const UvSets& uv, const Vec3<Float>& edge1, const Vec3<Float>& edge2,
+                                         const UvSet (&uv)[2], const Vec3<Float>& edge1, const Vec3<Float>& edge2,
                                          const Vec3<Float>& interpolated, const Vec3<Float>& normal) {
   if (args.material->has_tangents) {
     Float tangent[4];
@@ -42,15 +42,15 @@ inline TangentFrame<Float> resolve_frame(const ResolveArgs& args, const Fragment
     return frame_from_tangent(interpolated, Vec3<Float>{tangent[0], tangent[1], tangent[2]}, tangent[3]);
   }
   const TextureSlotView& slot = args.material->normal_texture;
-  const UvSet& set = uv.set[slot.uv_set & 1];
+  const UvSet& set = uv[slot.uv_set & 1];
   const UvStep step1 = transform_step(slot, set.step1);
   const UvStep step2 = transform_step(slot, set.step2);
   return frame_from_uv(normal, edge1, edge2, step1.du, step1.dv, step2.du, step2.dv);
 }
 
 template <bool textured>
-inline void resolve_normal(const ResolveArgs& args, const MaterialSamplers& samplers, const FragmentLanes& f,
-                           const Barycentrics<Float>& b, const UvSets& uv, const Vec3<Float> (&corners)[3],
+inline void resolve_normal(const ResolveArgs& args, const MaterialSamplers& samplers, const MaterialSamples& samples,
+                           const FragmentLanes& f, const Barycentrics<Float>& b, const Vec3<Float> (&corners)[3],
                            std::uint32_t at) {
   const MaterialView& material = *args.material;
   Float interpolated[3];
@@ -60,10 +60,9 @@ inline void resolve_normal(const ResolveArgs& args, const MaterialSamplers& samp
   const Vec3<Float> edge2 = corners[2] - corners[0];
   Vec3<Float> normal = normalize(raw, geometric_normal(edge1, edge2));
   if constexpr (textured) {
-    if (material.normal_texture.texture != nullptr) {
-      Float texel[4];
-      sample<channel_r | channel_g | channel_b>(samplers.normal, transform_uv(material.normal_texture, uv), texel);
-      const TangentFrame<Float> frame = resolve_frame(args, f, b, uv, edge1, edge2, raw, normal);
+    Float texel[4];
+    if (sample_slot<channel_r | channel_g | channel_b>(material, samplers, samples, normal_slot, texel)) {
+      const TangentFrame<Float> frame = resolve_frame(args, f, b, samples.uv, edge1, edge2, raw, normal);
       normal = perturb_normal(frame, texel[0], texel[1], texel[2], Float(material.normal_scale), normal);
     }
   }
@@ -77,29 +76,29 @@ inline void resolve_run(const ResolveArgs& args) {
   const MaterialView& material = *args.material;
   const SampleMeans means = sample_means(args.pattern);
   MaterialSamplers samplers;
-  if constexpr (textured) prepare_samplers(material, samplers);
+  if constexpr (textured) prepare_samplers(material, slot_count, samplers);
   const GBufferView& out = args.out;
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
     const FragmentLanes f = load_fragments(args, means, at);
     Vec3<Float> corners[3];
     fetch_positions(args.geometry, f, corners);
     const Barycentrics<Float> b = barycentrics(args.view, corners, f.x, f.y);
-    UvSets uv;
-    if constexpr (textured) fetch_uv_sets(args.geometry, f, b, samplers, uv);
+    MaterialSamples samples;
+    if constexpr (textured) find_samples(material, samplers, slot_count, args.geometry, f, b, samples);
 
     resolve_position(args, b, corners, at);
-    resolve_normal<textured>(args, samplers, f, b, uv, corners, at);
+    resolve_normal<textured>(args, samplers, samples, f, b, corners, at);
     Float color[4];
-    base_color<textured, channel_r | channel_g | channel_b | channel_a>(material, samplers, args.geometry, f, b, uv,
-                                                                        color);
+    base_color<textured, channel_r | channel_g | channel_b | channel_a>(material, samplers, samples, args.geometry, f,
+                                                                        b, color);
     store_vector(out.base_color, at, non_negative(color[0]), non_negative(color[1]), non_negative(color[2]));
     store(out.alpha + at, material.alpha_mode == AlphaMode::blend ? saturate(color[3]) : Float(1));
-    const SurfaceScalars s = surface_scalars<textured>(material, samplers, uv);
+    const SurfaceScalars s = surface_scalars<textured>(material, samplers, samples);
     store(out.metallic + at, saturate(s.metallic));
     store(out.roughness + at, saturate(s.roughness));
     store(out.occlusion + at, saturate(s.occlusion));
     Float glow[3];
-    emissive<textured>(material, samplers, uv, glow);
+    emissive<textured>(material, samplers, samples, glow);
     store_vector(out.emissive, at, non_negative(glow[0]), non_negative(glow[1]), non_negative(glow[2]));
     store(out.unlit + at, Float(material.unlit ? 1 : 0));
   }
@@ -107,18 +106,19 @@ inline void resolve_run(const ResolveArgs& args) {
 
 template <bool textured>
 inline void resolve_alpha_run(const ResolveAlphaArgs& args) {
+  constexpr int slots = base_color_slot + 1;
   const SampleMeans means = sample_means(args.pattern);
   MaterialSamplers samplers;
-  if constexpr (textured) prepare_base_color(*args.material, samplers);
+  if constexpr (textured) prepare_samplers(*args.material, slots, samplers);
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
     const FragmentLanes f = load_fragments(args, means, at);
     Vec3<Float> corners[3];
     fetch_positions(args.geometry, f, corners);
     const Barycentrics<Float> b = barycentrics(args.view, corners, f.x, f.y);
-    UvSets uv;
-    if constexpr (textured) fetch_uv_sets(args.geometry, f, b, samplers, uv);
+    MaterialSamples samples;
+    if constexpr (textured) find_samples(*args.material, samplers, slots, args.geometry, f, b, samples);
     Float color[4];
-    base_color<textured, channel_a>(*args.material, samplers, args.geometry, f, b, uv, color);
+    base_color<textured, channel_a>(*args.material, samplers, samples, args.geometry, f, b, color);
     store(args.alpha + at, saturate(color[3]));
   }
 }
