@@ -364,6 +364,65 @@ TEST(Resolve, AnyInputIsFiniteAndTheSameEverywhere) {
   }
 }
 
+// Slots that are addressed alike share the work; a difference in any one setting must keep them apart. So every slot
+// must come out as if it were alone.
+TEST(Resolve, SlotsDoNotDisturbEachOther) {
+  std::mt19937 random(61);
+  TextureMemory textures[2];
+  for (TextureMemory& t : textures) {
+    for (int i = 0; i < 4 * (256 + 64 + 16 + 4 + 1); ++i) t.halves.push_back(std::uint16_t(random() % 0x3c00));
+    t.view = {nullptr,
+              TexelFormat::rgba16_float,
+              16,
+              16,
+              5,
+              WrapMode::repeat,
+              WrapMode::repeat,
+              FilterMode::linear,
+              FilterMode::linear,
+              FilterMode::linear,
+              true};
+  }
+  Workbench bench;
+  for (float& e : bench.material.emissive) e = 1;
+  add_covering_triangle(bench, [](float x, float y) {
+    VertexAttributes a = plain_attributes();
+    a.uv[0][0] = 0.13f * x, a.uv[0][1] = 0.11f * y - 1;
+    a.uv[1][0] = 0.02f * y, a.uv[1][1] = 0.21f * x;
+    return a;
+  });
+  bind(bench.material.base_color_texture, textures[0]);
+  bind(bench.material.emissive_texture, textures[1]);
+  const TextureView plain = textures[1].view;
+  const std::vector<Fragment> fragments = whole_tile();
+  for (int setting = 0; setting < 11; ++setting) {
+    Workbench both = bench;
+    TextureView& view = textures[1].view = plain;
+    TextureSlotView& slot = both.material.emissive_texture;
+    if (setting == 1) view.wrap_u = WrapMode::clamp_to_edge;
+    if (setting == 2) view.wrap_v = WrapMode::mirrored_repeat;
+    if (setting == 3) view.magnify = FilterMode::nearest;
+    if (setting == 4) view.minify = FilterMode::nearest;
+    if (setting == 5) view.mip = FilterMode::nearest;
+    if (setting == 6) view.mipmapped = false;
+    if (setting == 7) view.height = 4, view.levels = 5;
+    if (setting == 8) view.levels = 2;
+    if (setting == 9) slot.uv_set = 1;
+    if (setting == 10) slot.transform[5] = 0.3f;
+    Workbench first = both, second = both;
+    first.material.emissive_texture.texture = nullptr;
+    second.material.base_color_texture.texture = nullptr;
+    for (const Kernels* kernels : runnable_kernels()) {
+      const GBuffer together = both.resolve(*kernels, fragments);
+      const GBuffer one = first.resolve(*kernels, fragments), other = second.resolve(*kernels, fragments);
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(together.planes[color + c], one.planes[color + c]) << kernels->isa << " setting " << setting;
+        EXPECT_EQ(together.planes[emissive + c], other.planes[emissive + c]) << kernels->isa << " setting " << setting;
+      }
+    }
+  }
+}
+
 // A fragment's result depends on nothing but itself: not on its place, its neighbours or how many there are.
 TEST(Resolve, TailsAndNeighboursDoNotShow) {
   RayScene scene(41, 70);
