@@ -57,6 +57,11 @@ inline bool covers(const SetupTriangle& t, std::int64_t px, std::int64_t py) {
   return true;
 }
 
+template <class T>
+bool same_bits(const T* a, const T* b, std::size_t count) {
+  return count == 0 || std::memcmp(a, b, count * sizeof(T)) == 0;
+}
+
 struct Tile {  // memory of a VisibilityTile
   std::vector<float> depth;
   std::vector<std::uint32_t> triangle;
