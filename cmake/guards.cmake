@@ -1,5 +1,6 @@
 # Tests that look at the project from outside: its symbols, its #include lines, its bits on another architecture.
-add_executable(kernel_hash ${CMAKE_SOURCE_DIR}/tests/guards/kernel_hash.cpp)
+file(GLOB TESSERA_HASH_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/guards/kernel_hash*.cpp)
+add_executable(kernel_hash ${TESSERA_HASH_SOURCES})
 target_include_directories(kernel_hash PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 target_link_libraries(kernel_hash PRIVATE tessera_flags tessera_kernels)
 
