@@ -323,10 +323,19 @@ struct LobeSamples {
   int count;
 };
 
+// Small bright sources, summed one by one: points of a lobe would hit or miss them.
+struct PointSources {
+  const float *x, *y, *z;           // unit directions
+  const float *red, *green, *blue;  // radiance times solid angle
+  int count;
+  float alpha2, scale;  // the lobe: scale c / (alpha2 + (1 - alpha2) (1 - c) / 2)^2 at cosine c from its axis
+};
+
 struct PrefilterCubeArgs {
   CubeView radiance;  // bordered mips of plain radiance
   LobeSamples lobe;
   CubeRows rows;
+  PointSources points;
 };
 
 enum class ToneCurve : std::uint32_t { none, reinhard, aces, khronos_neutral };

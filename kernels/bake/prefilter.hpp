@@ -41,5 +41,23 @@ inline Vec3<F> prefilter(const CubeView& radiance, const LobeSamples& lobe, cons
   return sum;
 }
 
+/// The lobe n = v = r of GGX around n, evaluated exactly at each source: D(h) n.l up to a factor, with cos(theta_h)^2 =
+/// (1 + n.l) / 2.
+template <class F>
+inline Vec3<F> sum_points(const PointSources& points, const Vec3<F>& n) {
+  const F alpha2 = F(points.alpha2), rest = (F(1) - alpha2) * F(0.25);
+  Vec3<F> sum{F(0), F(0), F(0)};
+  for (int k = 0; k < points.count; ++k) {
+    const Vec3<F> apart{n.x - F(points.x[k]), n.y - F(points.y[k]), n.z - F(points.z[k])};
+    const F distance2 = dot(apart, apart);  // 2 (1 - n.l), which keeps its digits near the axis
+    const F NoL = max(neg_mul_add(distance2, F(0.5), F(1)), F(0));
+    const F t = mul_add(distance2, rest, alpha2);
+    const F weight = NoL / (t * t);
+    sum = {mul_add(weight, F(points.red[k]), sum.x), mul_add(weight, F(points.green[k]), sum.y),
+           mul_add(weight, F(points.blue[k]), sum.z)};
+  }
+  return sum * F(points.scale);
+}
+
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

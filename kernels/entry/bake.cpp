@@ -92,7 +92,8 @@ void prefilter_cube(const PrefilterCubeArgs& args) {
   for_texels(args.rows, [&](Float i, Float j) {
     const Float s = mul_sub(i + Float(0.5), step, Float(1));
     const Float t = mul_sub(j + Float(0.5), step, Float(1));
-    return prefilter(args.radiance, args.lobe, normalize(face_direction(args.rows.face, s, t)));
+    const Vec3<Float> n = normalize(face_direction(args.rows.face, s, t));
+    return prefilter(args.radiance, args.lobe, n) + sum_points(args.points, n);
   });
 }
 

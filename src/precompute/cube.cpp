@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <vector>
 
 #include "base/half.hpp"
 #include "base/parallel.hpp"
@@ -16,32 +17,33 @@ struct TexelOfFace {
   int face, i, j;
 };
 
+struct FacePoint {
+  int x, y, z;
+};
+
+// The point (s, t) of a face whose half width and distance are n.
+FacePoint face_point(int face, int s, int t, int n) {
+  switch (face) {
+    case 0:
+      return {n, -t, -s};
+    case 1:
+      return {-n, -t, s};
+    case 2:
+      return {s, n, t};
+    case 3:
+      return {s, -n, -t};
+    case 4:
+      return {s, -t, n};
+    default:
+      return {-s, -t, -n};
+  }
+}
+
 // The texel across the edge from (i, j), which lies one step outside one edge of the face: the neighbour's edge texel
 // with the same coordinate along the edge. In units of half a texel all is integer: a face is the plane at distance n,
 // texel centres are odd numbers from 1 - n to n - 1, and a step outside ends at n + 1, which the larger axis tells.
 TexelOfFace across_edge(int face, int i, int j, int n) {
-  const int s = 2 * i + 1 - n, t = 2 * j + 1 - n;
-  int x = 0, y = 0, z = 0;
-  switch (face) {
-    case 0:
-      x = n, y = -t, z = -s;
-      break;
-    case 1:
-      x = -n, y = -t, z = s;
-      break;
-    case 2:
-      x = s, y = n, z = t;
-      break;
-    case 3:
-      x = s, y = -n, z = -t;
-      break;
-    case 4:
-      x = s, y = -t, z = n;
-      break;
-    default:
-      x = -s, y = -t, z = -n;
-      break;
-  }
+  const auto [x, y, z] = face_point(face, 2 * i + 1 - n, 2 * j + 1 - n, n);
   TexelOfFace to{};
   int sc = 0, tc = 0;
   if (std::abs(x) > n) {
@@ -60,6 +62,20 @@ TexelOfFace across_edge(int face, int i, int j, int n) {
 }
 
 }  // namespace
+
+void for_cube_rows(int size, const std::function<void(CubeRows)>& work) {
+  const int rows = std::clamp(1024 / size, 1, size), pieces = (size + rows - 1) / rows;
+  parallel_for(std::size_t{6} * std::size_t(pieces), [&](std::size_t i) {
+    const int face = int(i) / pieces, begin = int(i) % pieces * rows;
+    work({face, size, begin, std::min(begin + rows, size), nullptr});
+  });
+}
+
+CubeDirection texel_direction(int face, int i, int j, int size) {
+  const FacePoint p = face_point(face, 2 * i + 1 - size, 2 * j + 1 - size, size);
+  const float n = float(size), length2 = float(p.x * p.x + p.y * p.y + p.z * p.z), length = std::sqrt(length2);
+  return {float(p.x) / length, float(p.y) / length, float(p.z) / length, 4 * n / (length2 * length)};
+}
 
 CubeLevel halved(const CubeLevel& level) {
   CubeLevel below(level.size / 2);

@@ -1,7 +1,8 @@
 // Cubemaps with mips: radiance in floats while it is being made, halves with borders for the kernels.
 #pragma once
+#include <bit>
 #include <cstddef>
-#include <vector>
+#include <functional>
 
 #include "base/aligned.hpp"
 #include "kernels/interface.hpp"
@@ -10,6 +11,12 @@ namespace tessera {
 
 inline constexpr int max_cube_size = 4096;  // beyond it kernels' 32-bit offsets overflow
 inline constexpr float max_half = 65504;
+
+inline int log2_of(int power_of_two) { return std::countr_zero(unsigned(power_of_two)); }
+
+/// work(rows) over all rows of the faces of a level, in pieces of about 1024 texels, on all threads. CubeRows::out is
+/// null.
+void for_cube_rows(int size, const std::function<void(CubeRows)>& work);
 
 /// One level: six faces, one after another, of size * size RGBA floats.
 struct CubeLevel {
@@ -21,6 +28,12 @@ struct CubeLevel {
   [[nodiscard]] float* face(int f) { return texels.data() + std::size_t(f) * face_floats(); }
   [[nodiscard]] const float* face(int f) const { return texels.data() + std::size_t(f) * face_floats(); }
 };
+
+/// A texel's centre as a unit vector, and its solid angle within (1 / size)^2 of itself.
+struct CubeDirection {
+  float x, y, z, solid_angle;
+};
+CubeDirection texel_direction(int face, int i, int j, int size);
 
 /// The level below: each texel the mean of four, weighted by their solid angles, so that the sphere's total stays.
 CubeLevel halved(const CubeLevel& level);

@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "precompute/lobe.hpp"
+#include "precompute/prefilter.hpp"
 
 namespace tessera {
 namespace {
 
 constexpr float brightest = 1e30f;  // sums of a few million of these stay finite
-
-int log2_of(int power_of_two) { return std::countr_zero(unsigned(power_of_two)); }
 
 // RGB, finite, non-negative, times intensity.
 Image sanitised(const Image& picture, float intensity, EnvironmentReport& report) {
@@ -46,15 +42,6 @@ Image sanitised(const Image& picture, float intensity, EnvironmentReport& report
   return out;
 }
 
-// work(face, first row, last row + 1) over all rows of a level, in pieces of about 1024 texels.
-void for_rows(int size, const std::function<void(CubeRows)>& work) {
-  const int rows = std::clamp(1024 / size, 1, size), pieces = (size + rows - 1) / rows;
-  parallel_for(std::size_t{6} * std::size_t(pieces), [&](std::size_t i) {
-    const int face = int(i) / pieces, begin = int(i) % pieces * rows;
-    work({face, size, begin, std::min(begin + rows, size), nullptr});
-  });
-}
-
 CubeLevel resample(const Image& picture, int size, float rotation, const Kernels& kernels) {
   CubeLevel level(size);
   float cosine = 1, sine = 0;
@@ -62,25 +49,9 @@ CubeLevel resample(const Image& picture, int size, float rotation, const Kernels
   kernels.evaluate(MathFunction::sin, &rotation, &rotation, &sine, 1);
   // At least four points per texel each way, and two per texel of the picture, so that no texel falls between points.
   const int samples = std::clamp((picture.width / 2 + size - 1) / size, 4, 64);
-  for_rows(size, [&](CubeRows rows) {
+  for_cube_rows(size, [&](CubeRows rows) {
     rows.out = level.face(rows.face);
     kernels.equirect_to_cube({{picture.pixels.data(), picture.width, picture.height}, {cosine, sine}, samples, rows});
-  });
-  return level;
-}
-
-// Points per texel of a level with this roughness.
-int samples_for(float roughness, int wanted) {
-  if (wanted > 0) return wanted;
-  return roughness < 0.25f ? 256 : roughness < 0.45f ? 512 : 1024;
-}
-
-CubeLevel prefilter(const Cube& radiance, int size, float roughness, int samples, const Kernels& kernels) {
-  CubeLevel level(size);
-  const Lobe lobe = ggx_lobe(roughness, samples_for(roughness, samples), radiance.size(), kernels);
-  for_rows(size, [&](CubeRows rows) {
-    rows.out = level.face(rows.face);
-    kernels.prefilter_cube({radiance.view(), lobe.view(), rows});
   });
   return level;
 }
@@ -115,19 +86,14 @@ Environment build_environment(const Image& equirect, const EnvironmentSettings& 
   CubeLevel level = resample(picture, std::max(background_size, natural), settings.rotation, kernels);
   while (level.size > background_size) level = halved(level);
   environment.background_ = Cube(background_size, log2_of(background_size) + 1);
-  // Level k of the prefiltered radiance has half the size of level k - 1; the last has 4 x 4 texels.
-  const int specular_levels = std::max(log2_of(specular_size) - 1, 1);
-  environment.specular_ = Cube(specular_size, specular_levels);
   for (int k = 0; k < environment.background_.levels(); ++k) {
     if (k > 0) level = halved(level);
     const std::size_t clamped = environment.background_.store(k, level, kernels);
     if (k == 0) environment.report_.clamped = clamped;
-    if (level.size == specular_size) environment.specular_.store(0, level, kernels);
-  }
-  for (int k = 1; k < specular_levels; ++k) {
-    const float roughness = float(k) / float(specular_levels - 1);
-    environment.specular_.store(
-        k, prefilter(environment.background_, specular_size >> k, roughness, settings.samples, kernels), kernels);
+    if (level.size != specular_size) continue;
+    // The last level has 4 x 4 texels.
+    const int levels = std::max(log2_of(specular_size) - 1, 1);
+    environment.specular_ = prefiltered(level, levels, settings.samples, kernels);
   }
   return environment;
 }

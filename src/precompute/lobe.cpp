@@ -42,6 +42,9 @@ Lobe ggx_lobe(float roughness, int count, int cube_size, const Kernels& kernels)
     ratio[i] = float(6 * u_max * alpha * alpha / count * double(cube_size) * double(cube_size) / (q * q));
   }
   kernels.evaluate(MathFunction::log2, ratio.data(), ratio.data(), log_ratio.data(), n);
+  // The integral of D n.l over light directions is the mean of n.l over u times 4 u_max; D = alpha^2 / (pi t^2).
+  lobe.alpha2 = float(alpha * alpha);
+  lobe.scale = float(alpha * alpha / std::numbers::pi / (4 * u_max * total / count));
   for (std::size_t i = 0; i < n; ++i) {
     lobe.weight.push_back(float(weights[i] / total));
     lobe.lod.push_back(0.5f * log_ratio[i]);

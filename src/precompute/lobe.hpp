@@ -7,6 +7,7 @@ namespace tessera {
 
 struct Lobe {
   AlignedVector<float> x, y, z, weight, lod;
+  float alpha2 = 0, scale = 0;  // the lobe itself, of integral 1: PointSources has the formula
 
   [[nodiscard]] LobeSamples view() const {
     return {x.data(), y.data(), z.data(), weight.data(), lod.data(), int(x.size())};

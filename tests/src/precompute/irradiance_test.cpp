@@ -1,0 +1,65 @@
+#include "precompute/irradiance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "frame/dispatch.hpp"
+
+namespace tessera {
+namespace {
+
+const double pi = std::acos(-1.0);
+
+// E / pi = sum of these constants times integral of L times the basis function (Ramamoorthi and Hanrahan 2001, with the
+// constants of the real spherical harmonics multiplied out).
+std::array<double, 9> basis(double x, double y, double z) {
+  return {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
+}
+const std::array<double, 9> constants = {0.25, 0.5, 0.5, 0.5, 15.0 / 16, 15.0 / 16, 5.0 / 64, 15.0 / 16, 15.0 / 64};
+
+TEST(Irradiance, WhiteIsOne) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {64, 32}, {1000, 501}}) {
+    const std::vector<float> white(std::size_t(width * height * 3), 1.0f);
+    const IrradianceSh sh = project_irradiance({white.data(), width, height}, 0.3f, select_kernels());
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(sh.coefficients[0][c], 1, 1e-6);
+      for (int k = 1; k < 9; ++k) EXPECT_NEAR(sh.coefficients[k][c], 0, 1e-6) << width << " " << k;
+    }
+  }
+}
+
+// One texel at a time, integrated by a fine midpoint rule inside it.
+TEST(Irradiance, IntegratesEachTexelExactly) {
+  constexpr int width = 12, height = 6, fine = 200;
+  const float rotation = 0.7f;
+  for (const auto& [column, row] : {std::pair{0, 0}, {5, 2}, {11, 5}, {3, 3}}) {
+    std::vector<float> texels(width * height * 3);
+    texels[std::size_t((row * width + column) * 3 + 1)] = 2;
+    const IrradianceSh sh = project_irradiance({texels.data(), width, height}, rotation, select_kernels());
+    std::array<double, 9> sum{};
+    for (int b = 0; b < fine; ++b) {
+      for (int a = 0; a < fine; ++a) {
+        const double theta = pi * (row + (b + 0.5) / fine) / height;
+        const double phi = 2 * pi * ((column + (a + 0.5) / fine) / width - 0.5);
+        // Column u lies along atan2(z, x) = 2 pi (u - 1/2); turning by an angle about +Y takes z towards x.
+        const double sx = std::sin(theta) * std::cos(phi), sz = std::sin(theta) * std::sin(phi);
+        const double x = sx * std::cos(rotation) + sz * std::sin(rotation);
+        const double z = sz * std::cos(rotation) - sx * std::sin(rotation);
+        const std::array<double, 9> f = basis(x, std::cos(theta), z);
+        const double area = std::sin(theta) * (pi / height / fine) * (2 * pi / width / fine);
+        for (std::size_t k = 0; k < 9; ++k) sum[k] += 2 * f[k] * area * constants[k] / pi;
+      }
+    }
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_NEAR(double(sh.coefficients[k][1]), sum[k], 2e-6) << column << " " << row << " " << k;
+      EXPECT_EQ(sh.coefficients[k][0], 0.0f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tessera
