@@ -64,7 +64,7 @@ void write_png(const std::string& path, int width, int height, int channels, con
   OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 6);
+  spec.attribute("png:compressionLevel", 4);  // a tenth larger than 6, in less than half the time
   write_file(path, "png", spec,
              [&](OIIO::ImageOutput& output) { return output.write_image(OIIO::TypeDesc::UINT8, pixels); });
 }

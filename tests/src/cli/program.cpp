@@ -22,6 +22,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& out, c
   std::vector<std::string> words = {TESSERA_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const pid_t child = fork();
