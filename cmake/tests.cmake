@@ -1,5 +1,11 @@
 # tests/ mirrors kernels/ and src/. Kernel tests need only the kernels; the others link the whole library.
-find_package(GTest REQUIRED)
+if(CMAKE_CROSSCOMPILING)
+  # The installed library is for this machine; Debian has its source beside it.
+  find_path(GOOGLETEST_SOURCE_DIR googletest/CMakeLists.txt PATHS /usr/src/googletest NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+  add_subdirectory(${GOOGLETEST_SOURCE_DIR} ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
+else()
+  find_package(GTest REQUIRED)
+endif()
 include(GoogleTest)
 
 file(GLOB_RECURSE TESSERA_KERNEL_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/kernels/*.cpp

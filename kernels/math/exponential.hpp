@@ -62,7 +62,8 @@ template <class F>
 TESSERA_INLINE SplitFloat<F> split_exponent(F x) {
   using I = IntOf<F>;
   const MaskOf<F> subnormal = x < F(0x1p-126);
-  const I offset = bits(select(subnormal, x * F(0x1p24), x)) - I(0x3f3504f3);  // the bits of sqrt(1/2)
+  // Less the bits of sqrt(1/2); without the sign, so that the difference does not overflow for a negative x.
+  const I offset = (bits(select(subnormal, x * F(0x1p24), x)) & I(0x7fffffff)) - I(0x3f3504f3);
   const F exponent = to_float(offset >> 23);
   return {from_bits((offset & I(0x7fffff)) + I(0x3f3504f3)), select(subnormal, exponent - F(24), exponent)};
 }

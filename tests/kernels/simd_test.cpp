@@ -203,7 +203,9 @@ TEST_P(Simd, OperationsAreThoseOfTheScalarStandard) {
     const bool arithmetic = row.operation <= Operation::sqrt;
     const Operands o = random_operands(arithmetic ? 1 << 20 : 1 << 16, 1 + static_cast<unsigned>(row.operation));
     const int shift = static_cast<int>(o.b[0] & 31);
+    const bool may_overflow = row.operation >= Operation::int_add && row.operation <= Operation::int_negate;
     for (const bool scalar : {false, true}) {
+      if (scalar && may_overflow) continue;  // lanes wrap; int32_t must not overflow
       const std::vector<Bits> out = run(row.operation, o, scalar);
       std::size_t wrong = 0;
       for (std::size_t n = 0; n < out.size(); ++n) {
