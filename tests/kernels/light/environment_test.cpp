@@ -229,7 +229,7 @@ TEST(SampleCube, SameBitsOnEveryInstructionSet) {
     std::vector<float> first;
     for (const Kernels* kernels : runnable_kernels()) {
       std::vector<float> texels(size * size * 4);
-      kernels->prefilter_cube({cube.view(), {&x, &y, &z, &weight, &lod, 1}, {i % 6, size, 0, size, texels.data()}});
+      kernels->prefilter_cube({cube.view(), {&x, &y, &z, &weight, &lod, 1}, {i % 6, size, 0, size, texels.data()}, {}});
       if (first.empty()) first = texels;
       ASSERT_EQ(texels, first) << kernels->isa;
     }
