@@ -95,7 +95,8 @@ void hash_environment(const Kernels& kernels, Random& random, Hash& hash) {
     hash.add(std::vector<float>(out.begin(), out.begin() + 4 * size * size));
     kernels.prefilter_cube({{cube.data(), size, levels},
                             {lobe[0].data(), lobe[1].data(), lobe[2].data(), lobe[3].data(), lobe[4].data(), samples},
-                            {face, size, 0, size, out.data()}});
+                            {face, size, 0, size, out.data()},
+                            {}});
     hash.add(std::vector<float>(out.begin(), out.begin() + 4 * size * size));
   }
 }
