@@ -27,12 +27,31 @@ TESSERA_INLINE __m128d add_round_to_odd(__m128d p, __m128d c) {
   return _mm_castsi128_pd(_mm_or_si128(truncated, _mm_srli_epi64(inexact, 63)));
 }
 
-// The product of two floats is exact in double, so one rounding to odd and one to float are one rounding.
-TESSERA_INLINE __m128 mul_add(__m128 a, __m128 b, __m128 c) {
+// The product of two floats is exact in double, so one rounding to odd and one to float are one rounding. Out of line:
+// hardly ever needed.
+[[gnu::noinline, gnu::cold]] inline __m128 mul_add_rounding_to_odd(__m128 a, __m128 b, __m128 c) {
   const __m128d low = add_round_to_odd(_mm_mul_pd(_mm_cvtps_pd(a), _mm_cvtps_pd(b)), _mm_cvtps_pd(c));
   const __m128d high =
       add_round_to_odd(_mm_mul_pd(_mm_cvtps_pd(_mm_movehl_ps(a, a)), _mm_cvtps_pd(_mm_movehl_ps(b, b))),
                        _mm_cvtps_pd(_mm_movehl_ps(c, c)));
+  return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+}
+
+// Rounding to double and then to float errs only if the double lies half-way between two floats: for a normal result,
+// if its last 29 bits are a one and zeros. Such lanes, and subnormal results, are done again with care.
+TESSERA_INLINE __m128 mul_add(__m128 a, __m128 b, __m128 c) {
+  const __m128d low = _mm_add_pd(_mm_mul_pd(_mm_cvtps_pd(a), _mm_cvtps_pd(b)), _mm_cvtps_pd(c));
+  const __m128d high = _mm_add_pd(_mm_mul_pd(_mm_cvtps_pd(_mm_movehl_ps(a, a)), _mm_cvtps_pd(_mm_movehl_ps(b, b))),
+                                  _mm_cvtps_pd(_mm_movehl_ps(c, c)));
+  const __m128 low_words = _mm_shuffle_ps(_mm_castpd_ps(low), _mm_castpd_ps(high), _MM_SHUFFLE(2, 0, 2, 0));
+  const __m128 high_words = _mm_shuffle_ps(_mm_castpd_ps(low), _mm_castpd_ps(high), _MM_SHUFFLE(3, 1, 3, 1));
+  const __m128i last_bits = _mm_and_si128(_mm_castps_si128(low_words), _mm_set1_epi32(0x1fffffff));
+  const __m128i half_way = _mm_cmpeq_epi32(last_bits, _mm_set1_epi32(0x10000000));
+  const __m128i size = _mm_and_si128(_mm_castps_si128(high_words), _mm_set1_epi32(0x7fffffff));
+  const __m128i below_normal = _mm_cmplt_epi32(size, _mm_set1_epi32(0x38100000));  // 2^-126
+  const __m128i not_zero = _mm_cmpgt_epi32(size, _mm_setzero_si128());
+  const __m128i doubtful = _mm_or_si128(half_way, _mm_and_si128(below_normal, not_zero));
+  if (__builtin_expect(_mm_movemask_epi8(doubtful) != 0, 0)) return mul_add_rounding_to_odd(a, b, c);
   return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
 }
 TESSERA_INLINE __m128 mul_sub(__m128 a, __m128 b, __m128 c) { return mul_add(a, b, _mm_xor_ps(c, _mm_set1_ps(-0.0f))); }
