@@ -40,11 +40,15 @@ struct VertexAttributes {  // 64 bytes: one cache line
 };
 static_assert(sizeof(VertexAttributes) == 64);
 
+// Kernels gather vertices and triangles with signed 32-bit offsets.
+inline constexpr std::uint32_t max_scene_vertices = (1u << 27) - 1;
+inline constexpr std::uint32_t max_scene_triangles = (1u << 29) - 1;
+
 struct GeometryView {      // world space, shared by all frames of a scene
   const float* positions;  // xyz, stride 3
   const VertexAttributes* attributes;
   const Triangle* triangles;
-  std::uint32_t vertex_count, triangle_count;
+  std::uint32_t vertex_count, triangle_count;  // at most max_scene_vertices, max_scene_triangles
 };
 
 // World position (x,y,z,1) -> homogeneous window coordinates, viewport folded in: x_pixels * w, y_pixels * w, depth *

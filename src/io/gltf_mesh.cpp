@@ -156,7 +156,12 @@ void check_room(const GltfDocument& document, const GltfPrimitive& primitive, st
   const double all_triangles = double(scene.triangles.size()) + double(triangles) * double(copies);
   const double bytes = all_vertices * (12 + sizeof(VertexAttributes)) + all_triangles * sizeof(Triangle);
   const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE));
-  if (all_vertices > 4e9 || all_triangles > 4e9 || bytes > memory) {
+  if (all_vertices > max_scene_vertices || all_triangles > max_scene_triangles) {
+    throw document.wrong(primitive.part,
+                         "the scene has {:.0f} vertices and {:.0f} triangles or more, expected at most {} and {}",
+                         all_vertices, all_triangles, max_scene_vertices, max_scene_triangles);
+  }
+  if (bytes > memory) {
     throw document.wrong(primitive.part, "the scene has {:.0f} triangles or more, too many for this machine's memory",
                          all_triangles);
   }

@@ -438,6 +438,13 @@ TEST(GltfBadInput, DeepTreesAndMassiveCopies) {
   instances.push("accessors", {{"componentType", 5126}, {"count", 4000000000u}, {"type", "VEC3"}});
   instances.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", 1}};
   expect_refused(instances.gltf(), "accessors[1]");
+  // Copies that fit into memory, but not into what a frame can address.
+  GltfBuilder copies = GltfBuilder::triangle();
+  copies.push("accessors", {{"componentType", 5126}, {"count", 1050000}, {"type", "VEC3"}});
+  copies.push("accessors", {{"componentType", 5126}, {"count", 128}, {"type", "VEC3"}});
+  copies.root["meshes"][0]["primitives"][0] = {{"attributes", {{"POSITION", 1}}}};
+  copies.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", 2}};
+  expect_refused(copies.gltf(), "134400000 vertices and 44800000 triangles or more, expected at most 134217727");
 }
 
 }  // namespace
