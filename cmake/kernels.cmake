@@ -40,3 +40,11 @@ foreach(isa IN LISTS TESSERA_ISAS)
   tessera_compile_for_isa(tessera_kernels_${isa} ${isa})
   target_sources(tessera_kernels PRIVATE $<TARGET_OBJECTS:tessera_kernels_${isa}>)
 endforeach()
+
+# The terms over double, from the same sources (kernels/terms.hpp); libm is allowed here, for no pixel comes of it.
+file(GLOB TESSERA_TERM_ENTRIES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/kernels/entry/terms*.cpp)
+list(GET TESSERA_ISAS 0 TESSERA_BASELINE_ISA)
+add_library(tessera_precise STATIC ${TESSERA_TERM_ENTRIES})
+tessera_compile_for_isa(tessera_precise precise)
+target_compile_options(tessera_precise PRIVATE ${TESSERA_FLAGS_${TESSERA_BASELINE_ISA}} -Wno-error=double-promotion)
+target_compile_definitions(tessera_precise PRIVATE TESSERA_PRECISE)

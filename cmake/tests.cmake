@@ -18,9 +18,9 @@ if(TESSERA_KERNEL_TESTS)
   target_include_directories(kernel_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_include_directories(kernel_tests SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
   # Tests that evaluate kernel templates in double get the baseline instruction set, which every machine here has.
-  list(GET TESSERA_ISAS 0 TESSERA_BASELINE_ISA)
   target_compile_options(kernel_tests PRIVATE ${TESSERA_FLAGS_${TESSERA_BASELINE_ISA}})
-  target_link_libraries(kernel_tests PRIVATE tessera_flags tessera_kernels GTest::gtest_main
+  target_link_libraries(kernel_tests PRIVATE tessera_flags tessera_kernels tessera_precise tessera_catalogue
+                        GTest::gtest_main
                         $<TARGET_NAME_IF_EXISTS:tessera_reference>)
   foreach(isa IN LISTS TESSERA_ISAS)
     add_library(kernel_tests_${isa} OBJECT ${TESSERA_ISA_TESTS})
@@ -36,7 +36,7 @@ if(NOT TESSERA_KERNELS_ONLY)
   if(TESSERA_CORE_TESTS)
     add_executable(core_tests ${TESSERA_CORE_TESTS})
     target_include_directories(core_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-    target_link_libraries(core_tests PRIVATE tessera_core $<TARGET_NAME_IF_EXISTS:tessera_reference> GTest::gtest_main)
+    target_link_libraries(core_tests PRIVATE tessera_core tessera_precise $<TARGET_NAME_IF_EXISTS:tessera_reference> GTest::gtest_main)
     target_compile_definitions(core_tests PRIVATE TESSERA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     if(TARGET tessera)
       target_compile_definitions(core_tests PRIVATE TESSERA_PROGRAM="$<TARGET_FILE:tessera>")

@@ -378,22 +378,9 @@ enum class MathFunction : std::uint32_t {
   float_to_half,
 };
 
-// Array forms of the BSDF's terms: the very functions of kernels/bsdf/ that the shading loop is made of, for tests,
-// benchmarks and charts. The comment names what in[0], in[1] ... hold; sin2 = 1 - NoH^2, taken from the vectors.
-enum class BsdfTerm : std::uint32_t {
-  D_GGX,                 // NoH, sin2, alpha
-  V_SmithGGXCorrelated,  // NoV, NoL, alpha
-  F_Schlick,             // F0, VoH
-  DV_GGX,                // |l + v|^2, n.(l + v), |l + v - n (n.(l + v))|^2, NoV, NoL, alpha: D * V with one division
-};
-inline constexpr int max_term_inputs = 6;
-
-struct BsdfTermArgs {
-  BsdfTerm term;
-  const float* in[max_term_inputs];
-  float* out;
-  std::size_t count;
-};
+// The catalogue's methods over arrays: kernels/terms.hpp.
+template <class Number>
+struct TermSpan;
 
 // ------------------------------------------------------------------------------------------------------------ table
 
@@ -428,8 +415,8 @@ struct Kernels {
   void (*resolve)(const ResolveArgs&);
   void (*resolve_alpha)(const ResolveAlphaArgs&);
 
-  // entry/bsdf.cpp
-  void (*evaluate_bsdf)(const BsdfTermArgs&);
+  // entry/terms_*.cpp
+  const TermSpan<float>* const* terms;  // lists, null-terminated
 
   // entry/shade.cpp
   void (*shade)(const ShadeArgs&);

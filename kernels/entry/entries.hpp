@@ -22,7 +22,7 @@ std::uint32_t collect_visible(const VisibilityTile&, Fragment* out);
 void resolve(const ResolveArgs&);  // resolve.cpp
 void resolve_alpha(const ResolveAlphaArgs&);
 
-void evaluate_bsdf(const BsdfTermArgs&);  // bsdf.cpp
+extern const TermSpan<float>* const terms[];  // terms.cpp
 
 void shade(const ShadeArgs&);  // shade.cpp
 void background(const BackgroundArgs&);

@@ -1,5 +1,6 @@
 // The table of this instruction set: the one symbol that the rest of the program sees.
 #include "kernels/entry/entries.hpp"
+#include "kernels/terms.hpp"
 
 #define TESSERA_TEXT2(x) #x
 #define TESSERA_TEXT(x) TESSERA_TEXT2(x)
@@ -29,7 +30,7 @@ const Kernels kernels = {
     collect_visible,
     resolve,
     resolve_alpha,
-    evaluate_bsdf,
+    terms,
     shade,
     background,
     dfg_table,

@@ -19,8 +19,9 @@ LAYERS = {
     "raster": ({"scene", "base"}, True),
     "precompute": ({"scene", "base"}, True),
     "reference": (set(), False),
+    "catalogue": (set(), False),
     "frame": ({"raster", "precompute", "io", "scene", "base"}, True),
-    "cli": ({"frame", "raster", "precompute", "io", "scene", "base"}, True),
+    "cli": ({"frame", "catalogue", "reference", "raster", "precompute", "io", "scene", "base"}, True),
 }
 # The same inside kernels/; all may include simd.hpp and interface.hpp.
 KERNEL_LAYERS = {

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "kernels/runnable_kernels.hpp"
+#include "kernels/terms.hpp"
 
 namespace tessera {
 namespace {
@@ -27,17 +28,29 @@ void hash_evaluate(const Kernels& kernels, Random& random, Hash& hash) {
   }
 }
 
-void hash_bsdf(const Kernels& kernels, Random& random, Hash& hash) {
+// Every term, over the unit cube and over any bits. Those that need a table get one of noise.
+void hash_terms(const Kernels& kernels, Random& random, Hash& hash) {
   constexpr std::size_t count = 5003;
+  constexpr int table_size = 16;
   std::vector<std::vector<float>> in;
-  for (int k = 0; k < max_term_inputs; ++k) in.push_back(random.units(count));
-  std::vector<float> out(count + max_lanes);
-  for (const BsdfTerm term : {BsdfTerm::D_GGX, BsdfTerm::V_SmithGGXCorrelated, BsdfTerm::F_Schlick, BsdfTerm::DV_GGX}) {
-    BsdfTermArgs args{term, {}, out.data(), count};
-    for (int k = 0; k < max_term_inputs; ++k) args.in[k] = in[static_cast<std::size_t>(k)].data();
-    kernels.evaluate_bsdf(args);
-    hash.add(std::vector<float>(out.begin(), out.begin() + count));
+  for (int k = 0; k < max_term_inputs; ++k) {
+    in.push_back(random.units(count));
+    for (std::size_t i = 0; i < count; i += 4) in.back()[i] = random.any_bits();
   }
+  const std::vector<float> table = random.units(std::size_t{4} * table_size * table_size);
+  for (const TermSpan<float>* const* span = kernels.terms; *span != nullptr; ++span)
+    for (int t = 0; t < (*span)->count; ++t) {
+      const Term<float>& term = (*span)->first[t];
+      std::vector<std::vector<float>> out(std::size_t(term.outputs), std::vector<float>(count));
+      TermArgs<float> args{};
+      for (int k = 0; k < term.inputs; ++k) args.in[k] = in[static_cast<std::size_t>(k)].data();
+      for (int k = 0; k < term.outputs; ++k) args.out[k] = out[static_cast<std::size_t>(k)].data();
+      args.count = count;
+      args.table = table.data();
+      args.table_size = table_size;
+      term.run(args);
+      for (const auto& plane : out) hash.add(plane);
+    }
 }
 
 void hash_encode(const Kernels& kernels, Random& random, Hash& hash) {
@@ -76,9 +89,8 @@ struct Subject {
   void (*run)(const Kernels&, Random&, Hash&);
 };
 const Subject subjects[] = {
-    {"evaluate", hash_evaluate},     {"evaluate_bsdf", hash_bsdf},      {"encode", hash_encode},
-    {"downsample", hash_downsample}, {"halves", hash_halves},           {"raster", hash_raster},
-    {"shade", hash_shade},           {"environment", hash_environment},
+    {"evaluate", hash_evaluate}, {"terms", hash_terms},   {"encode", hash_encode}, {"downsample", hash_downsample},
+    {"halves", hash_halves},     {"raster", hash_raster}, {"shade", hash_shade},   {"environment", hash_environment},
 };
 
 }  // namespace

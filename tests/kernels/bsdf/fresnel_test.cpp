@@ -22,7 +22,7 @@ TEST(FSchlick, AgreesWithReference) {
       VoH.push_back(float(j) / 200);
     }
   for (const Kernels* kernels : runnable_kernels()) {
-    const auto f = evaluate_term(*kernels, BsdfTerm::F_Schlick, {&f0, &VoH});
+    const auto f = evaluate_term(*kernels, "F_Schlick", {&f0, &VoH});
     for (std::size_t k = 0; k < f.size(); ++k)
       ASSERT_NEAR(f[k], reference::fresnel_schlick(f0[k], VoH[k]), 2.5e-7) << f0[k] << ' ' << VoH[k];
   }

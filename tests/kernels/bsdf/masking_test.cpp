@@ -30,7 +30,7 @@ TEST(VSmithGGXCorrelated, AgreesWithReference) {
         alpha.push_back(logarithmic(k));
       }
   for (const Kernels* kernels : runnable_kernels()) {
-    const auto v = evaluate_term(*kernels, BsdfTerm::V_SmithGGXCorrelated, {&NoV, &NoL, &alpha});
+    const auto v = evaluate_term(*kernels, "V_SmithGGXCorrelated", {&NoV, &NoL, &alpha});
     for (std::size_t k = 0; k < v.size(); ++k) {
       const double G =
           reference::smith_masking_shadowing(std::acos(double(NoV[k])), std::acos(double(NoL[k])), alpha[k]);

@@ -1,0 +1,20 @@
+#include <iterator>
+
+#include "catalogue/method.hpp"
+
+namespace tessera::catalogue {
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = [] {
+    std::vector<Method> list;
+    for (const auto family :
+         {fresnel_methods, distribution_methods, masking_methods, diffuse_methods, energy_methods, function_methods}) {
+      std::vector<Method> more = family();
+      list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    }
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace tessera::catalogue
