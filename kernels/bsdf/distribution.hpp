@@ -1,4 +1,5 @@
-// Distributions of microfacet normals. D(h) is a density over the hemisphere of h around n: integral D(h) n.h dh = 1.
+// GGX, the distribution of microfacet normals that the renderer uses; the others stand in distribution_other.hpp. D(h)
+// is a density over the hemisphere of h around n: integral D(h) n.h dh = 1.
 #pragma once
 #include "kernels/math/vector.hpp"
 #include "kernels/simd.hpp"
@@ -28,6 +29,16 @@ TESSERA_INLINE F D_GGX(F NoH, F sin2, F alpha) {
   const F t = mul_add(scaled, scaled, sin2);
   const F ratio = alpha / max(t, F(1e-37));  // 1e-37: keeps 0/0 from alpha = 0 out; legitimate t is >= alpha^2
   return ratio * ratio * F(1 / pi);
+}
+
+/// GGX as most programs write it, from the cosine alone: NoH^2 (alpha^2 - 1) + 1 cancels for small alpha near the peak.
+/// A point of the chart, not for rendering.
+template <class F>
+TESSERA_INLINE F D_GGX_naive(F NoH, F alpha) {
+  // Walter et al. 2007, eq. 33, literally.
+  const F alpha2 = alpha * alpha;
+  const F t = NoH * NoH * (alpha2 - F(1)) + F(1);
+  return alpha2 / max(F(pi) * t * t, F(1e-37));  // 1e-37: the cancelled sum is 0 where alpha < 2.4e-4
 }
 
 }  // namespace
