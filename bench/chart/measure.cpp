@@ -1,0 +1,109 @@
+#include "chart/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <stdexcept>
+
+#include "kernels/terms.hpp"
+
+namespace tessera::chart {
+namespace {
+
+template <class Number>
+std::vector<double> run(const TermSpan<Number>* const* terms, const std::string& name,
+                        const std::vector<std::vector<float>>& inputs, const float* table, int table_size, int output) {
+  const Term<Number>* term = find_term(terms, name.c_str());
+  if (term == nullptr || inputs.size() != std::size_t(term->inputs) || output >= term->outputs)
+    throw std::logic_error("term " + name);
+  const std::size_t count = inputs.at(0).size();
+  std::vector<std::vector<Number>> in, out(std::size_t(term->outputs), std::vector<Number>(count));
+  TermArgs<Number> args{};
+  for (const auto& plane : inputs) in.emplace_back(plane.begin(), plane.end());
+  for (std::size_t k = 0; k < in.size(); ++k) args.in[k] = in[k].data();
+  for (std::size_t k = 0; k < out.size(); ++k) args.out[k] = out[k].data();
+  args.count = count;
+  args.table = table;
+  args.table_size = table_size;
+  term->run(args);
+  const auto& chosen = out[std::size_t(output)];
+  return {chosen.begin(), chosen.end()};
+}
+
+}  // namespace
+
+std::vector<double> in_double(const std::string& term, const std::vector<std::vector<float>>& inputs,
+                              const float* table, int table_size, int output) {
+  return run(precise_terms, term, inputs, table, table_size, output);
+}
+
+std::vector<double> in_float(const Session& session, const std::string& term,
+                             const std::vector<std::vector<float>>& inputs, const float* table, int table_size,
+                             int output) {
+  return run(session.kernels.back()->terms, term, inputs, table, table_size, output);
+}
+
+Error relative_error(const std::vector<double>& found, const std::vector<double>& truth, double floor) {
+  Error error;
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double e = std::abs(found[i] - truth[i]) / std::max(std::abs(truth[i]), floor);
+    error.max = std::max(error.max, e);
+    sum += e;
+    squares += e * e;
+  }
+  error.mean = sum / double(truth.size());
+  error.rms = std::sqrt(squares / double(truth.size()));
+  return error;
+}
+
+Error absolute_error(const std::vector<double>& found, const std::vector<double>& truth) {
+  std::vector<double> difference(truth.size()), one(truth.size(), 0);
+  for (std::size_t i = 0; i < truth.size(); ++i) difference[i] = found[i] - truth[i];
+  return relative_error(difference, one, 1);
+}
+
+const catalogue::Method& method_of(const std::string& term) {
+  for (const catalogue::Method& method : catalogue::methods())
+    if (method.term == term) return method;
+  throw std::logic_error("no method for term " + term);
+}
+
+Point describe(const std::string& term) {
+  const catalogue::Method& method = method_of(term);
+  Point point;
+  for (const char c : term)
+    point.id += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(static_cast<unsigned char>(c))) : '-';
+  point.title = method.title;
+  point.formula = method.formula;
+  point.paper = method.paper;
+  point.file = method.file;
+  point.fails = method.fails;
+  return point;
+}
+
+std::vector<double> spread(double low, double high, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / (count - 1));
+  return values;
+}
+
+std::vector<double> spread_logarithmic(double low, double high, int count) {
+  std::vector<double> values = spread(std::log(low), std::log(high), count);
+  for (double& v : values) v = std::exp(v);
+  return values;
+}
+
+ErrorMap map_over(std::string title, std::string column_name, std::vector<double> columns, std::string row_name,
+                  std::vector<double> rows, const std::function<double(double column, double row)>& value) {
+  ErrorMap map{std::move(title), std::move(column_name), std::move(row_name), std::move(columns), std::move(rows), {}};
+  for (const double row : map.rows)
+    for (const double column : map.columns) map.values.push_back(value(column, row));
+  return map;
+}
+
+std::string number(double value) { return fmt::format("{:.3g}", value); }
+
+}  // namespace tessera::chart

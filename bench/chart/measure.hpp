@@ -1,0 +1,44 @@
+// What families share: running terms over float and double, and taking errors.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "catalogue/method.hpp"
+#include "chart/chart.hpp"
+
+namespace tessera::chart {
+
+/// First output of a term over double, for these float inputs.
+std::vector<double> in_double(const std::string& term, const std::vector<std::vector<float>>& inputs,
+                              const float* table = nullptr, int table_size = 0, int output = 0);
+
+/// First output of a term on the session's widest instruction set; the others give the same bits.
+std::vector<double> in_float(const Session&, const std::string& term, const std::vector<std::vector<float>>& inputs,
+                             const float* table = nullptr, int table_size = 0, int output = 0);
+
+/// |found - truth| over all i.
+Error absolute_error(const std::vector<double>& found, const std::vector<double>& truth);
+
+/// |found - truth| / max(|truth|, floor); floor must be above 0 where truth may be 0.
+Error relative_error(const std::vector<double>& found, const std::vector<double>& truth, double floor);
+
+/// The catalogue's entry of a term; throws for one that is not there.
+const catalogue::Method& method_of(const std::string& term);
+
+/// A point with the catalogue's texts, nothing measured yet. id: the term's name in lower case, with hyphens.
+Point describe(const std::string& term);
+
+/// Evenly spaced values, ends included.
+std::vector<double> spread(double low, double high, int count);
+/// Evenly spaced logarithms.
+std::vector<double> spread_logarithmic(double low, double high, int count);
+
+/// An error map filled by value(column, row).
+ErrorMap map_over(std::string title, std::string column_name, std::vector<double> columns, std::string row_name,
+                  std::vector<double> rows, const std::function<double(double column, double row)>& value);
+
+/// "0.0123", "1.2e-05": a number as findings print it.
+std::string number(double value);
+
+}  // namespace tessera::chart
