@@ -1,4 +1,4 @@
-#include "chart/measure.hpp"
+#include "bench/chart/measure.hpp"
 
 #include <fmt/format.h>
 

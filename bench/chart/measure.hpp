@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/chart/chart.hpp"
 #include "catalogue/method.hpp"
-#include "chart/chart.hpp"
 
 namespace tessera::chart {
 
