@@ -77,36 +77,46 @@ TESSERA_INLINE auto call_term(const TermNumber* in, Given... given) {
   }
 }
 
-// Reads and writes whole vectors, then the rest through a small copy: arrays of callers need no padding.
+// `vectors` whole vectors from and to the arrays. One copy of the code per term, with everything inlined into its loop:
+// what a chart times, and what instructions.py counts.
 template <auto function>
-inline void run_term(const TermArgs<TermScalar>& args) {
+[[gnu::noinline, gnu::flatten]] void run_vectors(const TermArgs<TermScalar>& args, std::size_t vectors) {
   using Signature = TermSignature<decltype(function)>;
-  const auto evaluate = [&](const TermNumber* in) {
-    if constexpr (Signature::table) {
-      return call_term<function>(in, TermTable{args.table, args.table_size});
-    } else {
-      return call_term<function>(in);
-    }
-  };
-  using Result = TermResult<decltype(evaluate(static_cast<const TermNumber*>(nullptr)))>;
-  TermNumber in[Signature::inputs];
-  std::size_t i = 0;
-  for (; i + term_lanes <= args.count; i += term_lanes) {
-    for (int k = 0; k < Signature::inputs; ++k) in[k] = load_term(args.in[k] + i, TermNumber());
-    const auto result = evaluate(in);
-    for (int k = 0; k < Signature::outputs; ++k) store_term(args.out[k] + i, Result::get(result, k));
+  const TermArgs<TermScalar> a = args;
+  for (std::size_t i = 0; i < vectors * term_lanes; i += term_lanes) {
+    TermNumber in[Signature::inputs];
+    for (int k = 0; k < Signature::inputs; ++k) in[k] = load_term(a.in[k] + i, TermNumber());
+    const auto evaluate = [&]() {
+      if constexpr (Signature::table) {
+        return call_term<function>(in, TermTable{a.table, a.table_size});
+      } else {
+        return call_term<function>(in);
+      }
+    };
+    const auto result = evaluate();
+    using Result = TermResult<decltype(evaluate())>;
+    for (int k = 0; k < Signature::outputs; ++k) store_term(a.out[k] + i, Result::get(result, k));
   }
-  if (i == args.count) return;
-  TermScalar rest[term_lanes];
+}
+
+// Whole vectors in place, the rest through a small copy: arrays of callers need no padding.
+template <auto function>
+void run_term(const TermArgs<TermScalar>& args) {
+  using Signature = TermSignature<decltype(function)>;
+  const std::size_t vectors = args.count / term_lanes, done = vectors * term_lanes;
+  run_vectors<function>(args, vectors);
+  if (done == args.count) return;
+  TermScalar in[Signature::inputs][term_lanes], out[Signature::outputs][term_lanes];
+  TermArgs<TermScalar> rest = args;
   for (int k = 0; k < Signature::inputs; ++k) {
-    for (std::size_t lane = 0; lane < term_lanes; ++lane) rest[lane] = args.in[k][i + lane < args.count ? i + lane : i];
-    in[k] = load_term(rest, TermNumber());
+    for (std::size_t lane = 0; lane < term_lanes; ++lane)
+      in[k][lane] = args.in[k][done + lane < args.count ? done + lane : done];
+    rest.in[k] = in[k];
   }
-  const auto result = evaluate(in);
-  for (int k = 0; k < Signature::outputs; ++k) {
-    store_term(rest, Result::get(result, k));
-    for (std::size_t lane = 0; i + lane < args.count; ++lane) args.out[k][i + lane] = rest[lane];
-  }
+  for (int k = 0; k < Signature::outputs; ++k) rest.out[k] = out[k];
+  run_vectors<function>(rest, 1);
+  for (int k = 0; k < Signature::outputs; ++k)
+    for (std::size_t lane = 0; done + lane < args.count; ++lane) args.out[k][done + lane] = out[k][lane];
 }
 
 template <auto function>
