@@ -31,6 +31,16 @@ if(TESSERA_KERNEL_TESTS)
   gtest_discover_tests(kernel_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endif()
 
+# Random bit patterns: a million per kernel in every run, a thousand million with `ctest -L long`.
+file(GLOB TESSERA_FUZZ_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/fuzz/*.cpp)
+add_executable(fuzz_tests ${TESSERA_FUZZ_TESTS} ${CMAKE_SOURCE_DIR}/tests/kernels/shade/shade_scene.cpp)
+target_include_directories(fuzz_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+target_link_libraries(fuzz_tests PRIVATE tessera_flags tessera_kernels tessera_precise tessera_catalogue
+                      tessera_reference GTest::gtest_main)
+gtest_discover_tests(fuzz_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+gtest_discover_tests(fuzz_tests DISCOVERY_TIMEOUT 60 TEST_PREFIX long. TEST_LIST long_fuzz_tests
+                     PROPERTIES TIMEOUT 36000 LABELS long ENVIRONMENT TESSERA_FUZZ_COUNT=1000000000)
+
 if(NOT TESSERA_KERNELS_ONLY)
   file(GLOB_RECURSE TESSERA_CORE_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/src/*.cpp ${CMAKE_SOURCE_DIR}/tests/golden/*.cpp)
   if(TESSERA_CORE_TESTS)

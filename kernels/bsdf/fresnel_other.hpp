@@ -73,7 +73,7 @@ TESSERA_INLINE F F_Dielectric(F eta, F VoH) {
   // (c (g + c) - 1) / (c (g - c) + 1), and c (g - c) = c d / (g + c)
   const F B = mul_sub(VoH, sum, F(1)) / mul_add(VoH, d / sum, F(1));
   const F reflectance = F(0.5) * (A * A) * mul_add(B, B, F(1));
-  return select(g2 <= F(0), F(1), min(reflectance, F(1)));
+  return select((g2 <= F(0)) & (d < F(0)), F(1), min(reflectance, F(1)));
 }
 
 /// Exact for the dielectric that has this F0 < 1: eta = (1 + sqrt F0) / (1 - sqrt F0).

@@ -63,7 +63,7 @@ std::vector<Method> fresnel_methods() {
        {Q::F0, Q::F0, Q::VoH},
        0,
        1,
-       4e-6,
+       8e-6,
        1e-2,
        dielectric,
        0.09},

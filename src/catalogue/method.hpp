@@ -55,6 +55,7 @@ struct Method {
   std::string truth;
   double method_bound = 0;
   bool own_test = false;  // its inputs hang together, or it reads a table: its own tests hold its bounds
+  bool may_be_negative = false;
   bool estimate = false;  // its bits may differ between machines: on the chart only
 };
 

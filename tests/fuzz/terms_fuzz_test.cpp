@@ -1,0 +1,110 @@
+// Every term on random bit patterns, brought into its domain as a shading loop does it: clamped, NaN to the lower end.
+// The result is finite, and not negative unless the method says that it may be.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "catalogue/method.hpp"
+#include "fuzz/random_bits.hpp"
+#include "kernels/run_term.hpp"
+#include "kernels/runnable_kernels.hpp"
+
+namespace tessera::catalogue {
+void PrintTo(const Method& method, std::ostream* out) { *out << method.title; }
+}  // namespace tessera::catalogue
+
+namespace tessera::test {
+namespace {
+
+using catalogue::Domain;
+using catalogue::Method;
+
+constexpr std::size_t block = 4096;
+
+// Half the patterns as they come: with their even spread of exponents nearly all land on an end of the domain or among
+// the subnormals. The other half keeps its mantissa and gets an exponent of the upper part of the domain.
+void bring_into(const Domain& domain, float* values) {
+  const float low = float(domain.low), high = float(domain.high);
+  const float scale = std::max(std::abs(low), std::abs(high));
+  for (std::size_t i = block / 2; i < block; ++i) {
+    // 24 exponents below the largest magnitude
+    const auto bits = std::bit_cast<std::uint32_t>(values[i]);
+    values[i] = scale * std::bit_cast<float>((bits & 0x807fffffu) | ((103u + (bits >> 23 & 23u)) << 23));
+  }
+  for (std::size_t i = 0; i < block; ++i) {
+    const float above = values[i] > low ? values[i] : low;  // NaN: low
+    values[i] = above < high ? above : high;
+  }
+}
+
+// Inputs that describe one half vector describe a unit vector: what the loop takes from the vectors cannot contradict
+// itself. Everything else is independent.
+void agree(const Method& method, std::vector<std::vector<float>>& in) {
+  std::vector<float>*x = nullptr, *y = nullptr, *z = nullptr, *sin2 = nullptr;
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    if (method.inputs[k] == catalogue::Quantity::XoH) x = &in[k];
+    if (method.inputs[k] == catalogue::Quantity::YoH) y = &in[k];
+    if (method.inputs[k] == catalogue::Quantity::NoH) z = &in[k];
+    if (method.inputs[k] == catalogue::Quantity::sin2) sin2 = &in[k];
+  }
+  if (z == nullptr) return;
+  for (std::size_t i = 0; i < block; ++i) {
+    if (x != nullptr && y != nullptr) {
+      const double a = double((*x)[i]), b = double((*y)[i]), c = double((*z)[i]),
+                   length = std::sqrt(a * a + b * b + c * c);
+      (*x)[i] = length > 0 ? float(a / length) : 0;
+      (*y)[i] = length > 0 ? float(b / length) : 0;
+      (*z)[i] = length > 0 ? float(c / length) : 1;
+    }
+    if (sin2 != nullptr) {  // where the cosine is 1 to the last bit, any angle below its resolution
+      const double c = double((*z)[i]);
+      (*sin2)[i] = c < 1 ? float((1 - c) * (1 + c)) : (*sin2)[i] * 0x1p-24f;
+    }
+  }
+}
+
+struct TermsFuzz : testing::TestWithParam<Method> {};
+
+TEST_P(TermsFuzz, FiniteAndNotNegative) {
+  const Method& method = GetParam();
+  const Kernels& kernels = *runnable_kernels().back();  // the others give the same bits: terms_test, kernel_hash
+  const Term<float>& term = *require_term(kernels.terms, method.term);
+  std::vector<std::vector<float>> in(method.inputs.size(), std::vector<float>(block));
+  std::vector<std::vector<float>> out(std::size_t(term.outputs), std::vector<float>(block));
+  TermArgs<float> args{};
+  for (std::size_t k = 0; k < in.size(); ++k) args.in[k] = in[k].data();
+  for (std::size_t k = 0; k < out.size(); ++k) args.out[k] = out[k].data();
+  args.count = block;
+  const float smallest = method.may_be_negative ? -3.4e38f : 0.0f;
+  RandomBits random(7);
+  for (std::uint64_t done = 0; done < fuzz_count(); done += block) {
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      random.fill(in[k].data(), block);
+      bring_into(domain_of(method, method.inputs[k]), in[k].data());
+    }
+    agree(method, in);
+    term.run(args);
+    for (const auto& plane : out) {
+      int bad = 0;
+      for (const float x : plane) bad |= int(!(x >= smallest)) | int(!(x <= 3.4e38f));
+      if (bad == 0) continue;
+      for (std::size_t i = 0; i < block; ++i)
+        ASSERT_TRUE(plane[i] >= smallest && plane[i] <= 3.4e38f) << plane[i] << " at " << describe(in, i);
+    }
+  }
+}
+
+std::vector<Method> methods_to_fuzz() {
+  std::vector<Method> list;
+  for (const Method& method : catalogue::methods())
+    if (!method.own_test && !method.estimate) list.push_back(method);
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, TermsFuzz, testing::ValuesIn(methods_to_fuzz()),
+                         [](const auto& info) { return info.param.term; });
+
+}  // namespace
+}  // namespace tessera::test
