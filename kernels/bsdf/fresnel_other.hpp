@@ -58,14 +58,13 @@ TESSERA_INLINE F F_LazanyiSzirmayKalos(F f0, F a, F power, F VoH) {
   return saturate(neg_mul_add(a * VoH, pow(m, power), F_Schlick(f0, VoH)));
 }
 
-/// Exact, unpolarised, for a dielectric seen from outside or within; eta = index behind over index before it, in
-/// (0,10]. 1 for total internal reflection.
+/// Exact, unpolarised, from eta - 1: for an index near 1 the difference has digits that the index has lost.
 template <class F>
-TESSERA_INLINE F F_Dielectric(F eta, F VoH) {
+TESSERA_INLINE F dielectric_reflectance(F eta_minus_1, F VoH) {
   // Cook & Torrance 1982, A Reflectance Model for Computer Graphics, eq. 16: g^2 = eta^2 + c^2 - 1.
   // (g - c)/(g + c) and the second factor by differences that do not cancel: g^2 - c^2 = eta^2 - 1 =: d, so
   // g - c = d / (g + c).
-  const F d = (eta - F(1)) * (eta + F(1));
+  const F d = eta_minus_1 * (eta_minus_1 + F(2));
   const F g2 = mul_add(VoH, VoH, d);
   const F g = sqrt(max(g2, F(0)));
   const F sum = max(g + VoH, F(1e-18));
@@ -76,13 +75,21 @@ TESSERA_INLINE F F_Dielectric(F eta, F VoH) {
   return select((g2 <= F(0)) & (d < F(0)), F(1), min(reflectance, F(1)));
 }
 
+/// Exact, unpolarised, for a dielectric seen from outside or within; eta = index behind over index before it, in
+/// (0,10]. 1 for total internal reflection; 0 at every angle where there is no interface (eta = 1).
+template <class F>
+TESSERA_INLINE F F_Dielectric(F eta, F VoH) {
+  return dielectric_reflectance(eta - F(1), VoH);
+}
+
 /// Exact for the dielectric that has this F0 < 1: eta = (1 + sqrt F0) / (1 - sqrt F0).
 template <class F>
 TESSERA_INLINE F F_CookTorrance(F f0, F VoH) {
-  // Cook & Torrance 1982, section 4. 1 - 1e-6: F0 = 1 has no finite index.
-  const F root = sqrt(min(f0, F(1 - 1e-6)));
-  const F eta = (F(1) + root) / (F(1) - root);
-  return F_Dielectric(eta, VoH);
+  // Cook & Torrance 1982, section 4, as eta - 1 = 2 sqrt F0 (1 + sqrt F0) / (1 - F0): no digits lost at either end.
+  // 1 - 2^-20: F0 = 1 has no finite index.
+  const F bounded = min(f0, F(1 - 0x1p-20));
+  const F root = sqrt(bounded);
+  return dielectric_reflectance(F(2) * root * (F(1) + root) / (F(1) - bounded), VoH);
 }
 
 /// Exact, unpolarised, for a metal of relative index eta + i k; eta in (0,10], k in [0,20].
