@@ -6,3 +6,8 @@ foreach(source IN LISTS TESSERA_BENCHES)
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE tessera_core benchmark::benchmark_main)
 endforeach()
+
+# The workload that software GPU drivers are timed on.
+file(GLOB TESSERA_WORKLOAD_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/workload/*.cpp)
+add_executable(tessera_workload ${TESSERA_WORKLOAD_SOURCES})
+target_link_libraries(tessera_workload PRIVATE tessera_core)

@@ -1,0 +1,112 @@
+#include "bench/workload/inputs.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "base/error.hpp"
+
+namespace tessera::workload {
+
+template <class T>
+std::vector<T> read_array(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) throw input_error("{}: cannot be opened", path);
+  const auto bytes = static_cast<std::size_t>(file.tellg());
+  std::vector<T> values(bytes / sizeof(T));
+  file.seekg(0);
+  file.read(reinterpret_cast<char*>(values.data()), std::streamsize(values.size() * sizeof(T)));
+  if (!file) throw input_error("{}: cannot be read", path);
+  return values;
+}
+
+template std::vector<float> read_array(const std::string&);
+template std::vector<std::uint16_t> read_array(const std::string&);
+template std::vector<std::uint32_t> read_array(const std::string&);
+
+namespace {
+
+template <class T>
+std::vector<T> read_exactly(const std::string& path, std::size_t count) {
+  std::vector<T> values = read_array<T>(path);
+  if (values.size() != count) throw input_error("{}: holds {} values, expected {}", path, values.size(), count);
+  return values;
+}
+
+constexpr int cube_size = 256, cube_levels = 9, dfg_size = 128;
+
+}  // namespace
+
+Surroundings::Surroundings(const std::string& folder, const Kernels& kernels) : cube(cube_size, cube_levels) {
+  const auto camera = read_exactly<float>(folder + "/camera.f32", 4);
+  std::copy(camera.begin(), camera.end(), eye);
+  std::size_t texels = 0;
+  for (int level = 0; level < cube_levels; ++level)
+    texels += std::size_t{6} * (cube_size >> level) * (cube_size >> level);
+  const auto halves = read_exactly<std::uint16_t>(folder + "/env.rgba16f", 4 * texels);
+  std::size_t offset = 0;
+  for (int level = 0; level < cube_levels; ++level) {
+    CubeLevel floats(cube_size >> level);
+    kernels.unpack_half(halves.data() + offset, floats.texels.data(), floats.texels.size());
+    offset += floats.texels.size();
+    cube.store(level, floats, kernels);
+  }
+  environment.specular = cube.view();
+  const auto sh = read_exactly<float>(folder + "/sh9.f32", 27);
+  for (int i = 0; i < 27; ++i) environment.irradiance_sh[i / 3][i % 3] = sh[std::size_t(i)];
+  const auto table = read_exactly<std::uint16_t>(folder + "/dfg.rg16f", std::size_t{2} * dfg_size * dfg_size);
+  dfg_texels.resize(table.size());
+  kernels.unpack_half(table.data(), dfg_texels.data(), table.size());
+  dfg = {dfg_texels.data(), dfg_size};
+}
+
+BlockedGBuffer::BlockedGBuffer(const std::string& folder)
+    : values_(std::size_t{blocks_x} * blocks_y * planes * block_pixels) {
+  const auto raw = read_exactly<float>(folder + "/w1_gbuffer.f32", std::size_t{planes} * width * height);
+  for (int p = 0; p < planes; ++p)
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const std::size_t block = std::size_t(y / block_size) * blocks_x + std::size_t(x / block_size);
+        values_[(block * planes + std::size_t(p)) * block_pixels +
+                std::size_t(y % block_size * block_size + x % block_size)] =
+            raw[(std::size_t(p) * height + std::size_t(y)) * width + std::size_t(x)];
+      }
+}
+
+GBufferView BlockedGBuffer::block(int index) const {
+  auto* base = const_cast<float*>(values_.data()) + std::size_t(index) * planes * block_pixels;
+  const auto plane = [&](int p) { return base + std::size_t(p) * block_pixels; };
+  GBufferView view{};
+  for (int k = 0; k < 3; ++k) {
+    view.position[k] = plane(k);
+    view.normal[k] = plane(3 + k);
+    view.base_color[k] = plane(6 + k);
+  }
+  view.metallic = plane(9);
+  view.roughness = plane(10);
+  view.occlusion = plane(11);
+  return view;
+}
+
+LightSet::LightSet(const std::string& folder, const std::string& variant) {
+  const bool tiled = variant.ends_with('t');
+  const std::string count = variant.substr(1, variant.size() - (tiled ? 2 : 1));
+  const auto records = read_array<float>(folder + "/lights_" + count + ".f32");
+  for (std::size_t i = 0; i + 8 <= records.size(); i += 8) {
+    LightView light{};
+    light.type = LightType::point;
+    light.falloff = Falloff::windowed_plus_one;
+    for (std::size_t k = 0; k < 3; ++k) {
+      light.position[k] = records[i + k];
+      light.color[k] = records[i + 4 + k];
+    }
+    light.inverse_range_squared = 1 / (records[i + 3] * records[i + 3]);
+    lights.push_back(light);
+  }
+  if (!tiled) return;
+  offsets = read_exactly<std::uint32_t>(folder + "/tiles_" + count + ".off.u32", std::size_t{blocks_x} * blocks_y + 1);
+  for (const std::uint32_t index : read_array<std::uint32_t>(folder + "/tiles_" + count + ".idx.u32"))
+    listed.push_back(lights.at(index));
+  if (offsets.back() > listed.size()) throw input_error("{}/tiles_{}.off.u32: points past the lists", folder, count);
+}
+
+}  // namespace tessera::workload

@@ -1,0 +1,63 @@
+// The inputs of the deferred-shading workload as they lie on disk, and as Tessera's kernels want them. The files are
+// raw little-endian arrays, top row first:
+//   w1_gbuffer.f32   12 planes of 1920 x 1080: position xyz, normal xyz, base colour rgb, metallic, roughness,
+//   occlusion camera.f32       position of the eye lights_N.f32     N records of x y z radius r g b unused
+//   tiles_N.off.u32, tiles_N.idx.u32   exact light lists of 16 x 16 pixel tiles, row-major: offsets, then indices
+//   env.rgba16f      prefiltered cube, 256 x 256, 9 levels: level, face, row, texel
+//   sh9.f32          9 x rgb, irradiance over pi
+//   dfg.rg16f        128 x 128 pairs (A, B), texel i of row j at NoV = (i + 0.5)/128, roughness = (j + 0.5)/128
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "kernels/interface.hpp"
+#include "precompute/cube.hpp"
+
+namespace tessera::workload {
+
+inline constexpr int width = 1920, height = 1080;
+inline constexpr int block_size = 16;  // pixels along a block's side
+inline constexpr int block_pixels = block_size * block_size;
+inline constexpr int blocks_x = (width + block_size - 1) / block_size,
+                     blocks_y = (height + block_size - 1) / block_size;
+inline constexpr int planes = 12;
+
+/// A whole file of plain records; an input error that names it if it cannot be read.
+template <class T>
+std::vector<T> read_array(const std::string& path);
+
+/// Environment, table and eye.
+struct Surroundings {
+  float eye[4];
+  Cube cube;
+  EnvironmentView environment{};
+  std::vector<float> dfg_texels;
+  DfgView dfg{};
+
+  Surroundings(const std::string& folder, const Kernels& kernels);
+};
+
+/// The G-buffer cut into blocks of 16 x 16 pixels, the planes of a block one after another: 12 KiB that are read once,
+/// in order.
+class BlockedGBuffer {
+ public:
+  explicit BlockedGBuffer(const std::string& folder);
+  /// Planes of a block; those that the workload has none of (emissive, alpha, unlit, depth) are null.
+  [[nodiscard]] GBufferView block(int index) const;
+
+ private:
+  AlignedVector<float> values_;
+};
+
+/// A set of lights, "L4", or with given lists, "L256t".
+struct LightSet {
+  std::vector<LightView> lights;
+  std::vector<std::uint32_t> offsets;  // per block and one more; empty: every light everywhere
+  std::vector<LightView> listed;       // the lists, written out
+
+  LightSet(const std::string& folder, const std::string& variant);
+};
+
+}  // namespace tessera::workload
