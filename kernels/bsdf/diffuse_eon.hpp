@@ -57,7 +57,7 @@ TESSERA_INLINE EONLobes<F> eon_lobes(F roughness, F NoV, F NoL, F LoV, F loss_v,
 
 /// One channel. albedo = that of a single facet.
 template <class F>
-TESSERA_INLINE F Fd_EON(const EONLobes<F>& lobes, F albedo) {
+TESSERA_INLINE F eon_channel(const EONLobes<F>& lobes, F albedo) {
   const F kept = albedo * albedo * lobes.average / neg_mul_add(albedo, F(1) - lobes.average, F(1));
   return mul_add(albedo, lobes.single, kept * lobes.multiple);
 }
@@ -65,13 +65,13 @@ TESSERA_INLINE F Fd_EON(const EONLobes<F>& lobes, F albedo) {
 /// One channel, with the fitted directional albedo. Energy-preserving within 3e-4 (more than 1 only by that much).
 template <class F>
 TESSERA_INLINE F Fd_EON(F albedo, F roughness, F NoV, F NoL, F LoV) {
-  return Fd_EON(eon_lobes(roughness, NoV, NoL, LoV, fujii_loss_fit(NoV), fujii_loss_fit(NoL)), albedo);
+  return eon_channel(eon_lobes(roughness, NoV, NoL, LoV, fujii_loss_fit(NoV), fujii_loss_fit(NoL)), albedo);
 }
 
 /// One channel, with the exact directional albedo: white stays white.
 template <class F>
 TESSERA_INLINE F Fd_EONExact(F albedo, F roughness, F NoV, F NoL, F LoV) {
-  return Fd_EON(eon_lobes(roughness, NoV, NoL, LoV, fujii_loss(NoV), fujii_loss(NoL)), albedo);
+  return eon_channel(eon_lobes(roughness, NoV, NoL, LoV, fujii_loss(NoV), fujii_loss(NoL)), albedo);
 }
 
 /// The single-scattering part alone, for albedo 1: Fujii 2012, A Tiny Improvement of Oren-Nayar Reflectance Model.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 
 namespace tessera {
@@ -61,9 +62,9 @@ const Row table[] = {
 };
 // clang-format on
 
-struct Accuracy : testing::TestWithParam<Row> {};
+struct MathAccuracy : testing::TestWithParam<Row> {};
 
-TEST_P(Accuracy, WithinItsBound) {
+TEST_P(MathAccuracy, WithinItsBound) {
   const Row& row = GetParam();
   constexpr std::size_t count = std::size_t{1} << 18;
   std::mt19937 random(42);
@@ -92,7 +93,43 @@ TEST_P(Accuracy, WithinItsBound) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Accuracy, testing::ValuesIn(table),
+// erf is a term, not a MathFunction: no set-up code calls it.
+struct TermRow {
+  const char* name;
+  double (*reference)(double);
+  Sampling sampling;
+  float low, high;
+  double bound;
+};
+const TermRow term_table[] = {
+    {"erf", std::erf, Sampling::uniform, -4.5f, 4.5f, 1.1},
+    {"erf", std::erf, Sampling::any_magnitude, 0, 10, 1.1},
+};
+
+TEST(TermAccuracy, WithinItsBound) {
+  constexpr std::size_t count = std::size_t{1} << 18;
+  for (const TermRow& row : term_table) {
+    std::mt19937 random(42);
+    std::uniform_real_distribution<float> uniform(row.low, row.high);
+    std::uniform_int_distribution<std::uint32_t> patterns(std::bit_cast<std::uint32_t>(row.low),
+                                                          std::bit_cast<std::uint32_t>(row.high));
+    std::vector<float> x(count);
+    for (float& value : x)
+      value = row.sampling == Sampling::uniform ? uniform(random) : std::bit_cast<float>(patterns(random));
+    for (const Kernels* kernels : runnable_kernels()) {
+      const auto found = test::run_term(*test::require_term(kernels->terms, row.name), {x})[0];
+      for (std::size_t i = 0; i < count; ++i) {
+        const double exact = row.reference(x[i]);
+        if (exact == 0) continue;
+        const double ulp = std::ldexp(1.0, std::max(std::ilogb(exact) - 23, -149));
+        ASSERT_LE(std::fabs(found[i] - exact) / ulp, row.bound)
+            << kernels->isa << ": " << row.name << '(' << x[i] << ')';
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, MathAccuracy, testing::ValuesIn(table),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
