@@ -55,3 +55,18 @@ if(NOT TESSERA_KERNELS_ONLY)
     gtest_discover_tests(core_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
   endif()
 endif()
+
+# tests/bench/chart/: what draws and writes charts, on synthetic results; and the page in a real browser.
+if(TARGET tessera_charts)
+  file(GLOB TESSERA_CHART_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/bench/chart/*_test.cpp)
+  add_executable(chart_tests ${TESSERA_CHART_TESTS})
+  target_include_directories(chart_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests ${CMAKE_SOURCE_DIR}/tests/bench/chart)
+  target_link_libraries(chart_tests PRIVATE tessera_charts GTest::gtest_main)
+  gtest_discover_tests(chart_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  add_executable(sample_page ${CMAKE_SOURCE_DIR}/tests/bench/chart/sample_page.cpp)
+  target_link_libraries(sample_page PRIVATE tessera_charts)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  add_test(NAME chart_page COMMAND Python3::Interpreter ${CMAKE_SOURCE_DIR}/tests/bench/chart/page_test.py
+                                   $<TARGET_FILE:sample_page>)
+  set_tests_properties(chart_page PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endif()

@@ -1,6 +1,6 @@
 // What a chart holds, and how a family of methods measures itself for one. Each family is one file,
-// bench/chart/family_NAME.cpp, with one function that returns a Family; the pages, plots and files are made elsewhere
-// and know no family.
+// bench/chart/family_NAME.cpp (NAME of [a-z]), with one function `Family measure_NAME(Session&)`: that is all it takes
+// to be found (cmake/chart.cmake). The pages, plots and files are made elsewhere and know no family.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -43,6 +43,9 @@ struct Point {
       extra;  // further columns of the table: "reciprocity error", "bytes", "instructions avx2"
 };
 
+/// Which of an Error's numbers a plot shows.
+enum class Measure { max, mean, rms };
+
 /// One scatter plot: cost against method error.
 struct Plot {
   std::string id, title;
@@ -50,6 +53,7 @@ struct Plot {
   std::string domain;      // over what: "F0 = 0.04, VoH in [0,1]"
   std::string truth;       // against what
   std::vector<Point> points;
+  Measure measure = Measure::max;  // what error_name speaks of
 };
 
 struct Family {

@@ -8,5 +8,6 @@ void add_render(CLI::App& program);
 void add_shade(CLI::App& program);
 void add_info(CLI::App& program);
 void add_isa(CLI::App& program);
+void add_chart(CLI::App& program);
 
 }  // namespace tessera::cli

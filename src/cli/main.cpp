@@ -14,6 +14,7 @@ constexpr const char* footer = R"(Examples:
   tessera render scene.glb --orbit 30,20 --light directional:-1,-2,-1:3 --background '#202830' -o out.png
   tessera render scene.glb --env courtyard.exr --aov id,depth,normal,albedo -o out.exr
   tessera info scene.glb
+  tessera chart --quick
 
 The same scene and options give the same pixels, bit for bit, on every CPU and for any number of threads.
 'tessera COMMAND --help' tells about each command.
@@ -37,10 +38,11 @@ int run(int argc, char** argv) {
   tessera::cli::add_shade(program);
   tessera::cli::add_info(program);
   tessera::cli::add_isa(program);
+  tessera::cli::add_chart(program);
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty())
-      throw tessera::usage_error("a command is needed: render, shade, info or isa ('tessera --help')");
+      throw tessera::usage_error("a command is needed: render, shade, info, isa or chart ('tessera --help')");
   } catch (const CLI::CallForHelp&) {
     // Help of the command that was being parsed, not of the whole program.
     const auto chosen = program.get_subcommands();

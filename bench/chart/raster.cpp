@@ -1,0 +1,81 @@
+#include "bench/chart/raster.hpp"
+
+#include <cairo.h>
+#include <librsvg/rsvg.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "base/error.hpp"
+
+namespace tessera::chart {
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+std::string png_of(const Surface& surface) {
+  std::string bytes;
+  const auto append = [](void* to, const unsigned char* data, unsigned length) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw output_error("a picture cannot be made: {}", cairo_status_to_string(status));
+  return bytes;
+}
+
+}  // namespace
+
+std::string png_of_svg(const std::string& svg, double scale) {
+  GError* error = nullptr;
+  const auto fail = [&] {
+    const std::string reason = error != nullptr ? error->message : "unknown reason";
+    g_clear_error(&error);
+    return output_error("a plot cannot be drawn: {}", reason);
+  };
+  const std::unique_ptr<RsvgHandle, decltype(&g_object_unref)> handle(
+      rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error), g_object_unref);
+  if (handle == nullptr) throw fail();
+  double width = 0, height = 0;
+  if (rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) == 0)
+    throw output_error("a plot cannot be drawn: it has no size");
+  const RsvgRectangle viewport{0, 0, std::ceil(width * scale), std::ceil(height * scale)};
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(viewport.width),
+                                                   static_cast<int>(viewport.height)),
+                        cairo_surface_destroy);
+  const Pen pen(cairo_create(surface.get()), cairo_destroy);
+  cairo_set_source_rgb(pen.get(), 1, 1, 1);
+  cairo_paint(pen.get());
+  if (rsvg_handle_render_document(handle.get(), pen.get(), &viewport, &error) == 0) throw fail();
+  return png_of(surface);
+}
+
+std::string png_of_pixels(int width, int height, const std::vector<std::uint32_t>& pixels) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    throw output_error("a picture of {} x {} pixels cannot be made", width, height);
+  unsigned char* const rows = cairo_image_surface_get_data(surface.get());
+  const auto row_bytes = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  const auto columns = static_cast<std::size_t>(width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+    std::memcpy(rows + y * row_bytes, pixels.data() + y * columns, columns * sizeof(std::uint32_t));
+  cairo_surface_mark_dirty(surface.get());
+  return png_of(surface);
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace tessera::chart

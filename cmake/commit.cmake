@@ -1,0 +1,18 @@
+# cmake -DSOURCE_DIR=FOLDER -DOUTPUT=HEADER -P commit.cmake: which commit is being built, "unknown" outside a repository.
+find_package(Git QUIET)
+set(commit)
+if(GIT_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --dirty --abbrev=12 WORKING_DIRECTORY ${SOURCE_DIR}
+                  OUTPUT_VARIABLE commit ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+if(NOT commit)
+  set(commit unknown)
+endif()
+set(text "#pragma once\n#define TESSERA_COMMIT \"${commit}\"\n")
+set(before)
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} before)
+endif()
+if(NOT text STREQUAL before)
+  file(WRITE ${OUTPUT} "${text}")
+endif()

@@ -1,0 +1,10 @@
+# cmake -DOUTPUT=FILE -DPARTS=LIST -P embed.cmake: writes a source that holds each file as a string, page.css as page_css.
+set(text "// Made by cmake/embed.cmake.\n#include \"bench/chart/page_parts.hpp\"\n\nnamespace tessera::chart {\n")
+foreach(part IN LISTS PARTS)
+  get_filename_component(name ${part} NAME)
+  string(REPLACE "." "_" name ${name})
+  file(READ ${part} content)
+  string(APPEND text "const char* const ${name} = R\"tessera~(${content})tessera~\";\n")
+endforeach()
+string(APPEND text "}  // namespace tessera::chart\n")
+file(WRITE ${OUTPUT} "${text}")
