@@ -15,6 +15,7 @@ using TermScalar = float;
 // One list per entry file, collected by terms.cpp.
 extern const TermSpan<TermScalar> distribution_terms, fresnel_terms, lobe_terms;
 extern const TermSpan<TermScalar> masking_terms, diffuse_terms;
+extern const TermSpan<TermScalar> blending_terms;
 
 namespace {
 
