@@ -36,7 +36,9 @@ TESSERA_INLINE F smith_root_Beckmann(F mu, F alpha) {
   // Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 26, with a = mu / (alpha sin):
   // mu (1 + 2 Lambda) = mu erf(a) + alpha sin e^(-a^2) / sqrt(pi), a sum of positive terms.
   const F spread = scaled_sine(mu, alpha);
-  const F a = mu / max(spread, F(1e-20));  // 1e-20: mu = 1 or alpha = 0, where a is infinite and S = mu
+  // 1e-20: mu = 1 or alpha = 0, where a is infinite and S = mu. 6: e^-36 is nothing beside 1, and no denormal, which
+  // would take a hundred cycles.
+  const F a = min(mu / max(spread, F(1e-20)), F(6));
   return mul_add(mu, erf(a), spread * exp(-(a * a)) * F(0.564189583547756287));  // 1 / sqrt(pi)
 }
 

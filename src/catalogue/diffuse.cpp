@@ -8,7 +8,7 @@ std::vector<Method> diffuse_methods() {
   const char* diffuse = "kernels/bsdf/diffuse.hpp";
   const char* eon = "kernels/bsdf/diffuse_eon.hpp";
   const char* split = "kernels/bsdf/diffuse_split.hpp";
-  const char* walk = "random walk on a GGX microsurface with Lambertian facets; albedo of a white surface";
+  const char* walk = "random walk on a GGX surface of white Lambertian facets: share of the light misplaced";
   const char* furnace = "all light that the specular lobe leaves comes back";
   return {
       {"diffuse",
@@ -24,7 +24,7 @@ std::vector<Method> diffuse_methods() {
        2e-07,
        1e-30,
        walk,
-       0},
+       0.35},
       {"diffuse",
        "Fd_Burley",
        "Burley",
@@ -38,7 +38,7 @@ std::vector<Method> diffuse_methods() {
        2e-06,
        0,
        walk,
-       0},
+       0.42},
       {"diffuse",
        "Fd_Frostbite",
        "Burley, renormalised (Frostbite)",
@@ -53,7 +53,7 @@ std::vector<Method> diffuse_methods() {
        1e-05,
        0.01,
        walk,
-       0},
+       0.58},
       {"diffuse",
        "Fd_OrenNayar",
        "Oren-Nayar, qualitative",
@@ -67,7 +67,7 @@ std::vector<Method> diffuse_methods() {
        2e-06,
        0,
        walk,
-       0},
+       0.41},
       {"diffuse",
        "Fd_Fujii",
        "Oren-Nayar by Fujii",
@@ -81,7 +81,7 @@ std::vector<Method> diffuse_methods() {
        2e-06,
        0.05,
        walk,
-       0},
+       0.28},
       {"diffuse",
        "Fd_EON",
        "EON, fitted albedo",
@@ -95,7 +95,7 @@ std::vector<Method> diffuse_methods() {
        2e-06,
        0.05,
        walk,
-       0},
+       0.27},
       {"diffuse",
        "Fd_EONExact",
        "EON, exact albedo",
@@ -109,7 +109,7 @@ std::vector<Method> diffuse_methods() {
        2e-06,
        0.05,
        walk,
-       0},
+       0.27},
       {"diffuse",
        "Fd_AshikhminShirley",
        "Ashikhmin-Shirley",
@@ -123,7 +123,7 @@ std::vector<Method> diffuse_methods() {
        2e-06,
        0,
        furnace,
-       0},
+       0.89},
       {"diffuse",
        "kd_Fresnel",
        "1 - Fresnel",
@@ -137,7 +137,7 @@ std::vector<Method> diffuse_methods() {
        3e-07,
        0,
        furnace,
-       0},
+       0.78},
       {"diffuse",
        "kd_AlbedoScaled",
        "1 - specular albedo",
@@ -151,7 +151,7 @@ std::vector<Method> diffuse_methods() {
        1e-06,
        0.25,
        furnace,
-       0},
+       1e-06},
       {"diffuse",
        "kd_Coupled",
        "1 - specular albedo of either direction",
@@ -165,7 +165,7 @@ std::vector<Method> diffuse_methods() {
        1e-06,
        0.25,
        furnace,
-       0},
+       0.0001},
   };
 }
 
