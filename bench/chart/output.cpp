@@ -65,7 +65,8 @@ void write_chart(const std::string& folder, const Results& results, const Result
   write_file(top / "results.csv", to_csv(results));
   for (const Family& family : results.families)
     for (const Plot& plot : family.plots) {
-      const std::string name = family.id + "-" + plot.id;
+      // Ids of plots often begin with their family's.
+      const std::string name = plot.id.rfind(family.id, 0) == 0 ? plot.id : family.id + "-" + plot.id;
       for (const std::string& isa : results.machine.isas) {
         const PlotContext context{results.machine, plot, isa,
                                   other == nullptr ? nullptr : matching_plot(*other, family.id, plot.id),

@@ -70,7 +70,7 @@
     const plot = plotOf(target), id = target.dataset.point;
     const point = data[plot]?.[id];
     if (!point) return;
-    shown = {plot, id};
+    shown = {plot, id, target};
     mark(plot, id, true);
     fill(point);
     tooltip.hidden = false;
@@ -90,7 +90,7 @@
   }
   document.addEventListener("click", hide);
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") hide(); });
-  document.addEventListener("scroll", () => { if (!document.activeElement?.matches?.("svg [data-point]")) hide(); }, {passive: true});
+  document.addEventListener("scroll", () => { if (shown) place(shown.target); }, {passive: true});
 
   // Tables sort by any column; what has no number goes last.
   for (const head of all("th[aria-sort]")) {
