@@ -113,5 +113,13 @@
       body.append(...[...body.rows].sort(order));
     });
   }
+  // A phone has room for the chosen instruction set's columns only (page.css).
+  const phone = matchMedia("(max-width: 720px)");
+  const span = () => {
+    const columns = phone.matches ? 1 : all('input[name="isa"]').length;
+    for (const group of all("th[data-isas]")) group.colSpan = columns;
+  };
+  phone.addEventListener("change", span);
+  span();
   choose(isa);
 })();
