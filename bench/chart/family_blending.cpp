@@ -59,7 +59,8 @@ Plot roughness_plot(Session& session) {
     session.progress(fmt::format("blending: {}", term));
     Point point = describe(term);
     point.maps.push_back(
-        map_over(point.title, "mask", spread(0, 1, 33), "roughness of the other layer", spread(0.1, rough_layer, 29),
+        map_over("part of the light that lands elsewhere", "mask", spread(0, 1, 33), "roughness of the other layer",
+                 spread(0.1, rough_layer, 29),
                  [&](double mask, double smooth) { return relative_difference(term, smooth, mask, steps); }));
     const std::vector<double>& values = point.maps[0].values;
     point.method = absolute_error(values, std::vector<double>(values.size(), 0));
@@ -93,8 +94,8 @@ Plot f0_plot(Session& session) {
     point.method = absolute_error(exact, truth);
     point.arithmetic = absolute_error(in_float(session, term, in), exact);
     time_point(session, point, term, in);
-    point.maps.push_back(map_over(point.title, "mask", spread(0, 1, 33), "base colour of both", spread(0, 1, 33),
-                                  [&](double mask, double color) {
+    point.maps.push_back(map_over("F0 minus the exact one", "mask", spread(0, 1, 33), "base colour of both",
+                                  spread(0, 1, 33), [&](double mask, double color) {
                                     const float c = float(color), m = float(mask);
                                     const Planes one = {{c}, {0.0f}, {c}, {1.0f}, {m}};
                                     return in_double(term, one)[0] - in_double("blend_F0", one)[0];

@@ -95,7 +95,7 @@ Family measure_distribution(Session& session) {
     const std::vector<double> columns = spread(0, 3, 49), rows = spread_logarithmic(1e-4, 1, 49);
     const Grid seen = grid_of(term, rows, columns);
     const std::vector<double> values = in_float(session, term, seen.planes);
-    ErrorMap map{point.title, "tan theta / alpha", "alpha", columns, rows, {}};
+    ErrorMap map{"D in float over D, minus 1", "tan theta / alpha", "alpha", columns, rows, {}};
     for (std::size_t i = 0; i < values.size(); ++i) map.values.push_back(values[i] / seen.truth[i] - 1);
     point.maps.push_back(map);
     plot.points.push_back(point);

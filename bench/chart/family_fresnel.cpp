@@ -65,7 +65,7 @@ void fit(Curve& curve) {
   Curve trial = curve;
   double best = 1e9;
   for (trial.error_power = 3; trial.error_power <= 9; trial.error_power += 0.5)
-    for (trial.error_scale = -1; trial.error_scale <= 2; trial.error_scale += 0.02)
+    for (trial.error_scale = -1; trial.error_scale <= 6; trial.error_scale += 0.05)
       if (const double error = worst_on(trial, "F_LazanyiSzirmayKalos"); error < best) {
         best = error;
         curve.error_power = trial.error_power;
@@ -86,20 +86,14 @@ std::vector<Curve> dielectrics() {
   return curves;
 }
 
-std::vector<Curve> measured_metals(bool quick) {
+std::vector<Curve> measured_metals() {
   std::vector<Curve> curves;
   for (const reference::Metal& metal : reference::metals)
     for (int c = 0; c < 3; ++c) {
       Curve curve{reference::fresnel_conductor(1, metal.eta[c], metal.k[c]), metal.eta[c], metal.k[c],
                   reference::fresnel_conductor(1.0 / 7, metal.eta[c], metal.k[c])};
-      if (!quick || c == 1) fit(curve);
+      fit(curve);
       curves.push_back(curve);
-    }
-  if (quick)  // one fit per metal
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      curves[i].error_scale = curves[i / 3 * 3 + 1].error_scale;
-      curves[i].error_power = curves[i / 3 * 3 + 1].error_power;
-      curves[i].edge_tint = curves[i / 3 * 3 + 1].edge_tint;
     }
   return curves;
 }
@@ -109,7 +103,8 @@ void add_instructions(Point& point, const std::string& function) {
     if (loop.function == function) point.extra["instructions " + loop.isa] = loop.instructions;
 }
 
-Plot measure_plot(Session& session, const std::vector<Curve>& curves, const std::vector<std::string>& terms) {
+Plot measure_plot(Session& session, const std::vector<Curve>& curves, const std::string& row_name,
+                  const std::vector<double>& rows, const std::vector<std::string>& terms) {
   Plot plot;
   const std::vector<double> cosines = spread(0, 1, session.quick ? 501 : 4001);
   std::vector<double> truth;
@@ -126,10 +121,8 @@ Plot measure_plot(Session& session, const std::vector<Curve>& curves, const std:
     for (auto& plane : timed) plane.resize(512);
     point.cost = time_term(session, term, timed);
     add_instructions(point, term);
-    const std::vector<double> columns = spread(0, 1, 65),
-                              rows = spread(0, double(curves.size()) - 1, int(curves.size()));
-    const std::vector<double> at = in_double(term, planes_of(curves, term, columns));
-    ErrorMap map{point.title, "VoH", "interface", columns, rows, {}};
+    const std::vector<double> columns = spread(0, 1, 65), at = in_double(term, planes_of(curves, term, columns));
+    ErrorMap map{"reflectance minus the exact one", "VoH", row_name, columns, rows, {}};
     for (std::size_t r = 0; r < curves.size(); ++r)
       for (std::size_t c = 0; c < columns.size(); ++c)
         map.values.push_back(at[r * columns.size() + c] - curves[r].exact(columns[c]));
@@ -190,7 +183,8 @@ std::vector<std::string> findings(const Plot& dielectric, const Plot& metal) {
 }  // namespace
 
 Family measure_fresnel(Session& session) {
-  Plot dielectric = measure_plot(session, dielectrics(),
+  Plot dielectric = measure_plot(session, dielectrics(), "index of refraction",
+                                 {std::begin(dielectric_indices), std::end(dielectric_indices)},
                                  {"F_Schlick", "F_SchlickGaussian", "F_SchlickGaussianSingle", "F_SchlickTwoPercent",
                                   "F_SchlickRough", "F_CookTorrance", "F_Dielectric"});
   dielectric.id = "fresnel-dielectric";
@@ -198,9 +192,11 @@ Family measure_fresnel(Session& session) {
   dielectric.domain = "indices 1.33, 1.5, 1.8 and 2.4, VoH from 0 to 1; roughness 0.5 where a method wants one";
   dielectric.truth = "the exact equations, unpolarised";
   session.progress("fresnel: fits to metals");
-  Plot metal = measure_plot(session, measured_metals(session.quick),
-                            {"F_Schlick", "F_SchlickGaussian", "F_SchlickGaussianSingle", "F_Schlick82",
-                             "F_LazanyiSzirmayKalos", "F_Gulbrandsen", "F_CookTorrance", "F_Conductor"});
+  const std::vector<Curve> metals = measured_metals();
+  Plot metal =
+      measure_plot(session, metals, "metal and channel", spread(0, double(metals.size()) - 1, int(metals.size())),
+                   {"F_Schlick", "F_SchlickGaussian", "F_SchlickGaussianSingle", "F_Schlick82", "F_LazanyiSzirmayKalos",
+                    "F_Gulbrandsen", "F_CookTorrance", "F_Conductor"});
   metal.id = "fresnel-metal";
   metal.title = "Measured metals";
   metal.domain = "silver, gold, copper, aluminium, chromium, nickel, tungsten, each in red, green and blue; VoH 0 to 1";

@@ -80,7 +80,7 @@ Domain domain_of(const Method& method, Quantity quantity) {
     case Quantity::phi:
       return {0, 2 * std::numbers::pi};
     case Quantity::error_scale:
-      return {-1, 2};
+      return {-1, 6};
     case Quantity::error_power:
       return {2, 10};
     case Quantity::any:
