@@ -59,8 +59,8 @@ Plot measure_split(Session& session) {
   plot.id = "diffuse-split";
   plot.title = "Light shared between a specular and a diffuse lobe";
   plot.error_name = "largest share of light lost or invented";
-  plot.domain = "F0 = 0.04 over white Lambert, GGX roughness from 0.1 to 1, n.v from 0.05 to 1";
-  plot.truth = "nothing absorbs: all light comes back (white furnace)";
+  plot.domain = "F0 = 0.04 over white Lambert, roughness 0.1 to 1, n.v 0.05 to 1";
+  plot.truth = "white furnace: all light comes back";
   for (const Coupling& coupling : couplings) {
     Point point = describe(coupling.term);
     point.id = coupling.id;

@@ -103,11 +103,9 @@ Plot measure_lobes(Session& session) {
   plot.id = "diffuse";
   plot.title = "Diffuse lobes on a rough white surface";
   plot.error_name = "largest share of light misplaced";
-  plot.domain = "albedo 1, roughness from 0.1 to 1 given to each model as it is, n.v from 0.1 to 1";
-  plot.truth = fmt::format(
-      "random walk on a GGX surface of Lambertian facets, alpha = roughness^2 ({} walks per direction, {:.1f} % "
-      "standard error)",
-      truth.walks, 100 * truth.noise);
+  plot.domain = "albedo 1, roughness 0.1 to 1 as it is, n.v 0.1 to 1";
+  plot.truth = fmt::format("random walk, GGX, white Lambertian facets ({} per direction, noise {:.1f} %)", truth.walks,
+                           100 * truth.noise);
   for (const std::string term :
        {"Fd_Lambert", "Fd_Burley", "Fd_Frostbite", "Fd_OrenNayar", "Fd_Fujii", "Fd_EON", "Fd_EONExact"}) {
     session.progress("diffuse: " + term);

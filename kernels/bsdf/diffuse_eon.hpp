@@ -27,7 +27,7 @@ TESSERA_INLINE F fujii_loss(F mu) {
   return max(neg_mul_add(G, F(1 / pi), F(fujii_c1)), F(0));
 }
 
-/// The same by a polynomial, within 5e-4; 0 where that is negative, near the horizon.
+/// The same by a polynomial, within 6.1e-4; 0 where that is negative, near the horizon.
 template <class F>
 TESSERA_INLINE F fujii_loss_fit(F mu) {
   // The paper's listing 1, E_FON_approx.
@@ -62,7 +62,7 @@ TESSERA_INLINE F eon_channel(const EONLobes<F>& lobes, F albedo) {
   return mul_add(albedo, lobes.single, kept * lobes.multiple);
 }
 
-/// One channel, with the fitted directional albedo. Energy-preserving within 3e-4 (more than 1 only by that much).
+/// One channel, with the fitted directional albedo. A white surface returns 1 within 2e-4.
 template <class F>
 TESSERA_INLINE F Fd_EON(F albedo, F roughness, F NoV, F NoL, F LoV) {
   return eon_channel(eon_lobes(roughness, NoV, NoL, LoV, fujii_loss_fit(NoV), fujii_loss_fit(NoL)), albedo);

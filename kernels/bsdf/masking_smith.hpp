@@ -42,7 +42,7 @@ TESSERA_INLINE F smith_root_Beckmann(F mu, F alpha) {
   return mul_add(mu, erf(a), spread * exp(-(a * a)) * F(0.564189583547756287));  // 1 / sqrt(pi)
 }
 
-/// S for Beckmann by a rational fit of G1: within 0.0035 of G1; G1 jumps by 4e-5, from above 1 to 1, at a = 1.6.
+/// S for Beckmann by a rational fit of G1: within 0.0032 of G1; G1 jumps by 6e-5, from above 1 to 1, at a = 1.6.
 template <class F>
 TESSERA_INLINE F smith_root_BeckmannRational(F mu, F alpha) {
   // Walter et al. 2007, eq. 27: G1 = (3.535 a + 2.181 a^2) / (1 + 2.276 a + 2.577 a^2) for a < 1.6, else 1; so
