@@ -62,7 +62,7 @@ TESSERA_INLINE F eon_channel(const EONLobes<F>& lobes, F albedo) {
   return mul_add(albedo, lobes.single, kept * lobes.multiple);
 }
 
-/// One channel, with the fitted directional albedo. A white surface returns 1 within 2e-4.
+/// One channel, with the fitted directional albedo. A white surface returns 1 within 3e-4.
 template <class F>
 TESSERA_INLINE F Fd_EON(F albedo, F roughness, F NoV, F NoL, F LoV) {
   return eon_channel(eon_lobes(roughness, NoV, NoL, LoV, fujii_loss_fit(NoV), fujii_loss_fit(NoL)), albedo);

@@ -280,7 +280,7 @@ std::vector<Method> masking_methods() {
        7e-05,
        0,
        "exact G1",
-       0.0036},
+       0.0034},
       {"masking",
        "DV_GGX",
        "Smith GGX, height-correlated, with D",

@@ -59,7 +59,7 @@ TEST(FdEON, WhiteFurnace) {
   for (const double r : {0.0, 0.1, 0.5, 1.0})
     for (const double mu : {0.001, 0.02, 0.1, 0.3, 0.6, 1.0}) {
       EXPECT_NEAR(white_albedo(true, r, mu), 1, 1e-7) << r << ' ' << mu;
-      EXPECT_NEAR(white_albedo(false, r, mu), 1, 2e-4) << r << ' ' << mu;
+      EXPECT_NEAR(white_albedo(false, r, mu), 1, 3e-4) << r << ' ' << mu;
     }
 }
 
