@@ -4,16 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 
 #include "catalogue/method.hpp"
 #include "fuzz/random_bits.hpp"
+#include "kernels/print_method.hpp"
 #include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
-
-namespace tessera::catalogue {
-void PrintTo(const Method& method, std::ostream* out) { *out << method.title; }
-}  // namespace tessera::catalogue
 
 namespace tessera::test {
 namespace {

@@ -5,17 +5,13 @@
 
 #include <bit>
 #include <cmath>
-#include <ostream>
 #include <set>
 #include <string>
 
 #include "catalogue/method.hpp"
+#include "kernels/print_method.hpp"
 #include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
-
-namespace tessera::catalogue {
-void PrintTo(const Method& method, std::ostream* out) { *out << method.title; }
-}  // namespace tessera::catalogue
 
 namespace tessera::test {
 namespace {

@@ -6,16 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ostream>
 #include <random>
 
 #include "catalogue/method.hpp"
+#include "kernels/print_method.hpp"
 #include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
-
-namespace tessera::catalogue {
-void PrintTo(const Method& method, std::ostream* out) { *out << method.title; }
-}  // namespace tessera::catalogue
 
 namespace tessera::test {
 namespace {
