@@ -5,7 +5,7 @@ namespace tessera::TESSERA_ISA {
 
 extern const TermSpan<TermScalar>* const terms[];
 const TermSpan<TermScalar>* const terms[] = {&distribution_terms, &fresnel_terms,  &lobe_terms, &masking_terms,
-                                             &diffuse_terms,      &blending_terms, nullptr};
+                                             &diffuse_terms,      &blending_terms, &dfg_terms,  nullptr};
 
 }  // namespace tessera::TESSERA_ISA
 

@@ -16,6 +16,7 @@ using TermScalar = float;
 extern const TermSpan<TermScalar> distribution_terms, fresnel_terms, lobe_terms;
 extern const TermSpan<TermScalar> masking_terms, diffuse_terms;
 extern const TermSpan<TermScalar> blending_terms;
+extern const TermSpan<TermScalar> dfg_terms;
 
 namespace {
 

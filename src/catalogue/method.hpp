@@ -69,6 +69,7 @@ std::vector<Method> masking_methods();
 std::vector<Method> diffuse_methods();
 std::vector<Method> energy_methods();
 std::vector<Method> function_methods();
+std::vector<Method> dfg_methods();
 std::vector<Method> blending_methods();
 
 Domain domain_of(const Method& method, Quantity quantity);
