@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "bench/chart/axis.hpp"
 #include "bench/chart/markup.hpp"
@@ -41,6 +42,27 @@ std::string text(double x, double y, const char* anchor, const std::string& word
 std::string brief(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "?"; }
 
 }  // namespace
+
+std::vector<MapGroup> map_groups(const Plot& plot) {
+  std::map<std::string, int> methods_with;  // a map of this title
+  for (const Point& point : plot.points)
+    for (const ErrorMap& map : point.maps) ++methods_with[map.title];
+  std::vector<MapGroup> groups;
+  for (const Point& point : plot.points)
+    for (const ErrorMap& map : point.maps) {
+      if (map.columns.empty() || map.rows.empty()) continue;
+      const std::string title = methods_with[map.title] > 1 ? map.title : map.row_name + " against " + map.column_name;
+      auto group = std::find_if(groups.begin(), groups.end(), [&](const MapGroup& g) { return g.title == title; });
+      if (group == groups.end()) group = groups.insert(groups.end(), {title, {}, {}});
+      group->members.push_back({&point, &map});
+    }
+  for (MapGroup& group : groups) {
+    std::vector<const ErrorMap*> maps;
+    for (const MapGroup::Member& member : group.members) maps.push_back(member.map);
+    group.scale = scale_of(maps);
+  }
+  return groups;
+}
 
 MapScale scale_of(const std::vector<const ErrorMap*>& maps) {
   MapScale scale;

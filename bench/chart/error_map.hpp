@@ -16,6 +16,19 @@ struct MapScale {
 };
 inline constexpr int map_decades = 4;
 
+/// Maps of a plot that belong side by side under one scale: those of the same title, if several methods have one of it;
+/// else those with the same axes.
+struct MapGroup {
+  struct Member {
+    const Point* point;
+    const ErrorMap* map;
+  };
+  std::string title;
+  std::vector<Member> members;
+  MapScale scale;
+};
+std::vector<MapGroup> map_groups(const Plot& plot);
+
 MapScale scale_of(const std::vector<const ErrorMap*>& maps);
 
 /// 0xRRGGBB; what is no finite number has a colour of its own, not_finite_color.

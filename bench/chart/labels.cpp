@@ -9,7 +9,7 @@ namespace {
 constexpr int directions = 16;
 constexpr double distances[] = {4, 9, 16, 25, 37, 52, 70, 92, 118};  // from the point's rim to the label, pixels
 constexpr double leader_from = 14;                                   // beyond this a label needs a line to its point
-constexpr double line_penalty = 22;  // pixels that a label rather goes than lie on a soft line
+constexpr double line_penalty = 45;  // pixels that a label rather goes than lie on a soft line
 constexpr double pi = 3.14159265358979;
 
 double side(const Segment& s, double x, double y) { return (s.x1 - s.x0) * (y - s.y0) - (s.y1 - s.y0) * (x - s.x0); }

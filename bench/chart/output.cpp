@@ -1,8 +1,10 @@
 #include "bench/chart/output.hpp"
 
 #include <filesystem>
+#include <functional>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "bench/chart/compare.hpp"
 #include "bench/chart/error_map.hpp"
 #include "bench/chart/page.hpp"
@@ -42,17 +44,20 @@ std::string file_part(const std::string& text) {
   return out;
 }
 
-void write_maps(const fs::path& folder, const Plot& plot, const std::string& name) {
-  for (const Point& point : plot.points)
-    for (const ErrorMap& map : point.maps) {
-      if (map.columns.empty() || map.rows.empty()) continue;
-      std::vector<const ErrorMap*> alike;
-      for (const Point& other : plot.points)
-        for (const ErrorMap& candidate : other.maps)
-          if (candidate.title == map.title) alike.push_back(&candidate);
-      make_folder(folder);
-      write_file(folder / (name + "-" + point.id + "-" + file_part(map.title) + ".png"),
-                 png_of_svg(standalone_map(map, scale_of(alike), point.title, map.title), map_scale));
+// Drawing takes longer than writing, so all files are jobs for every core.
+using Jobs = std::vector<std::function<void()>>;
+
+void add_maps(Jobs& jobs, const fs::path& folder, const Plot& plot, const std::string& name) {
+  for (const MapGroup& group : map_groups(plot))
+    for (const MapGroup::Member& member : group.members) {
+      std::string file = name + "-" + member.point->id;
+      if (member.point->maps.size() > 1) file.append(1, '-').append(file_part(member.map->title));
+      jobs.emplace_back([=, path = folder / (file + ".png"), scale = group.scale] {
+        const std::string& title = member.map->title;
+        write_file(path, png_of_svg(standalone_map(*member.map, scale, member.point->title,
+                                                   title == member.point->title ? "error" : title),
+                                    map_scale));
+      });
     }
 }
 
@@ -63,20 +68,25 @@ void write_chart(const std::string& folder, const Results& results, const Result
   make_folder(top);
   write_file(top / "results.json", to_json(results));
   write_file(top / "results.csv", to_csv(results));
+  make_folder(top / "plots");
+  make_folder(top / "maps");
+  Jobs jobs;
   for (const Family& family : results.families)
     for (const Plot& plot : family.plots) {
-      const std::string name = family.id + "-" + plot.id;
-      for (const std::string& isa : results.machine.isas) {
-        const PlotContext context{results.machine, plot, isa,
-                                  other == nullptr ? nullptr : matching_plot(*other, family.id, plot.id),
-                                  other == nullptr ? "" : name_of_run(other->machine)};
-        const std::string svg = standalone_plot(context, family.title);
-        make_folder(top / "plots");
-        write_file(top / "plots" / (name + "-" + isa + ".svg"), svg);
-        write_file(top / "plots" / (name + "-" + isa + ".png"), png_of_svg(svg, plot_scale));
-      }
-      write_maps(top / "maps", plot, name);
+      // Ids of plots often begin with their family's.
+      const std::string name = plot.id.rfind(family.id, 0) == 0 ? plot.id : family.id + "-" + plot.id;
+      const Plot* theirs = other == nullptr ? nullptr : matching_plot(*other, family.id, plot.id);
+      for (const std::string& isa : results.machine.isas)
+        jobs.emplace_back([&, name, theirs, isa] {
+          const PlotContext context{results.machine, plot, isa, theirs,
+                                    other == nullptr ? "" : name_of_run(other->machine)};
+          const std::string svg = standalone_plot(context, family.title), file = name + "-" + isa;
+          write_file(top / "plots" / (file + ".svg"), svg);
+          write_file(top / "plots" / (file + ".png"), png_of_svg(svg, plot_scale));
+        });
+      add_maps(jobs, top / "maps", plot, name);
     }
+  parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });
   write_file(top / "index.html", make_page(results, other));
 }
 

@@ -31,7 +31,8 @@ std::string drawings(const Results& results, const Plot& plot, const Plot* other
                           plot.points.size(), isa)),
                       drawing.content);
     }
-    out += fmt::format("<figcaption>{}</figcaption></div>\n", escaped(caption_of(results.machine, isa)));
+    out += fmt::format("<figcaption>{}</figcaption></div>\n",
+                       escaped(caption_of(results.machine, isa) + " · " + flags_of(results.machine, isa)));
   }
   return out;
 }
@@ -111,6 +112,7 @@ std::string make_page(const Results& results, const Results* other) {
   return filled_in(page_html, {{"css", page_css},
                                {"js", page_js},
                                {"machine", machine_list(results.machine)},
+                               {"caption", escaped(caption_of(results.machine, ""))},
                                {"links", links},
                                {"isas", isa_choice(results.machine)},
                                {"families", comparison(results, other) + sections},

@@ -70,7 +70,7 @@
     const plot = plotOf(target), id = target.dataset.point;
     const point = data[plot]?.[id];
     if (!point) return;
-    shown = {plot, id};
+    shown = {plot, id, target};
     mark(plot, id, true);
     fill(point);
     tooltip.hidden = false;
@@ -90,7 +90,7 @@
   }
   document.addEventListener("click", hide);
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") hide(); });
-  document.addEventListener("scroll", () => { if (!document.activeElement?.matches?.("svg [data-point]")) hide(); }, {passive: true});
+  document.addEventListener("scroll", () => { if (shown) place(shown.target); }, {passive: true});
 
   // Tables sort by any column; what has no number goes last.
   for (const head of all("th[aria-sort]")) {
@@ -113,5 +113,13 @@
       body.append(...[...body.rows].sort(order));
     });
   }
+  // A phone has room for the chosen instruction set's columns only (page.css).
+  const phone = matchMedia("(max-width: 720px)");
+  const span = () => {
+    const columns = phone.matches ? 1 : all('input[name="isa"]').length;
+    for (const group of all("th[data-isas]")) group.colSpan = columns;
+  };
+  phone.addEventListener("change", span);
+  span();
   choose(isa);
 })();

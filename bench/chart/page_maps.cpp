@@ -9,25 +9,6 @@
 namespace tessera::chart {
 namespace {
 
-struct Shown {
-  const Point* point;
-  const ErrorMap* map;
-};
-
-// Maps of the same title, over all methods: one gallery with one scale.
-std::vector<std::pair<std::string, std::vector<Shown>>> galleries_of(const Plot& plot) {
-  std::vector<std::pair<std::string, std::vector<Shown>>> galleries;
-  for (const Point& point : plot.points)
-    for (const ErrorMap& map : point.maps) {
-      if (map.columns.empty() || map.rows.empty()) continue;
-      std::size_t i = 0;
-      while (i < galleries.size() && galleries[i].first != map.title) ++i;
-      if (i == galleries.size()) galleries.push_back({map.title, {}});
-      galleries[i].second.push_back({&point, &map});
-    }
-  return galleries;
-}
-
 std::string worst_of(const ErrorMap& map) {
   std::size_t worst = 0;
   const auto size = [&](std::size_t i) { return std::isfinite(map.values[i]) ? std::abs(map.values[i]) : 0.0; };
@@ -39,37 +20,35 @@ std::string worst_of(const ErrorMap& map) {
                      amount(map.rows[worst / map.columns.size()]));
 }
 
-std::string figure(const Shown& shown, const MapScale& scale) {
-  const std::string worst = escaped(worst_of(*shown.map)), title = escaped(shown.point->title);
-  return fmt::format(
-      R"(<figure><img src="data:image/png;base64,{}" width="{}" height="{}" alt="Error map of {}: {}"><figcaption><b>{}</b> {}</figcaption></figure>)",
-      base64(map_png(*shown.map, scale)), shown.map->columns.size(), shown.map->rows.size(), title, worst, title,
-      worst);
+std::string figure(const MapGroup::Member& member, const MapGroup& group) {
+  const ErrorMap& map = *member.map;
+  const std::string worst = escaped(worst_of(map)), title = escaped(member.point->title);
+  const bool own_title = map.title != group.title && map.title != member.point->title;
+  return fmt::format(R"(<figure><img src="data:image/png;base64,{}" width="{}" height="{}" alt="Error map of {}: {}">)"
+                     R"(<figcaption><b>{}</b> {}{}</figcaption></figure>)",
+                     base64(map_png(map, group.scale)), map.columns.size(), map.rows.size(), title, worst, title,
+                     own_title ? escaped(map.title) + ": " : "", worst);
 }
 
 }  // namespace
 
 std::string page_maps(const Plot& plot) {
   std::string out;
-  for (const auto& [title, list] : galleries_of(plot)) {
-    std::vector<const ErrorMap*> maps;
+  for (const MapGroup& group : map_groups(plot)) {
     bool finite = true;
-    for (const Shown& shown : list) {
-      maps.push_back(shown.map);
-      for (const double value : shown.map->values) finite = finite && std::isfinite(value);
-    }
-    const MapScale scale = scale_of(maps);
-    const ErrorMap& first = *maps.front();
+    for (const MapGroup::Member& member : group.members)
+      for (const double value : member.map->values) finite = finite && std::isfinite(value);
+    const ErrorMap& first = *group.members.front().map;
     out += fmt::format(
-        R"(<details class="maps" open><summary><h4>Where it fails: {}</h4></summary><p>Across: {}, {} to {}. Up: {}, {} to {}. )"
-        "One logarithmic scale for all, largest colour {}{}{}</p>",
-        escaped(title), escaped(first.column_name), amount(first.columns.front()), amount(first.columns.back()),
-        escaped(first.row_name), amount(first.rows.front()), amount(first.rows.back()), amount(scale.largest),
-        scale.two_sided ? "; blue is too small, orange too large." : ".", finite ? "" : " Magenta: not a number.");
-    out += R"(<svg class="scale" viewBox="0 0 420 42" role="img" aria-label="Colour scale">)" + draw_scale(scale, 420) +
-           "</svg>";
-    out += "<div class=\"gallery\">";
-    for (const Shown& shown : list) out += figure(shown, scale);
+        R"(<details class="maps" open><summary><h4>Where it fails: {}</h4></summary><p>Across: {}, {} to {}. Up: {}, {} )"
+        "to {}. One logarithmic scale for all{}{}</p>",
+        escaped(group.title), escaped(first.column_name), amount(first.columns.front()), amount(first.columns.back()),
+        escaped(first.row_name), amount(first.rows.front()), amount(first.rows.back()),
+        group.scale.two_sided ? "; blue is too small, orange too large." : ".",
+        finite ? "" : " Magenta: not a number.");
+    out += R"(<svg class="scale" viewBox="0 0 420 42" role="img" aria-label="Colour scale">)" +
+           draw_scale(group.scale, 420) + "</svg><div class=\"gallery\">";
+    for (const MapGroup::Member& member : group.members) out += figure(member, group);
     out += "</div></details>\n";
   }
   return out;

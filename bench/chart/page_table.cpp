@@ -36,9 +36,8 @@ std::string method_cell(const Point& point) {
   row("Code", point.file, "code");
   row("Fails", point.fails, "span");
   row("Note", point.note, "span");
-  return fmt::format(
-      R"(<th scope="row"><span class="name">{}</span>{}</th>)", escaped(point.title),
-      rows.empty() ? "" : "<details><summary>formula and source</summary><dl>" + rows + "</dl></details>");
+  return fmt::format(R"(<th scope="row"><span class="name">{}</span>{}</th>)", escaped(point.title),
+                     rows.empty() ? "" : "<details><summary>details</summary><dl>" + rows + "</dl></details>");
 }
 
 // The names of the further columns, in the order of their first use.
@@ -58,13 +57,13 @@ std::string page_table(const Results& results, const Family& family, const Plot&
   const std::vector<std::string> extras = extra_names(plot);
   std::string groups = R"(<tr><td colspan="2"></td>)",
               heads = "<tr>" + head("#", "class=\"number\"") + head("Method", "");
-  const auto group = [&](const std::string& words, std::size_t columns) {
-    groups += fmt::format(R"(<th scope="colgroup" colspan="{}">{}</th>)", columns, escaped(words));
+  const auto group = [&](const std::string& words, std::size_t columns, const char* attributes = "") {
+    groups += fmt::format(R"(<th scope="colgroup" colspan="{}" {}>{}</th>)", columns, attributes, escaped(words));
   };
-  group(ghz > 0 ? "Cost, ns per evaluation (and cycles)" : "Cost, ns per evaluation", isas.size());
+  group(ghz > 0 ? "Cost, ns per evaluation (and cycles)" : "Cost, ns per evaluation", isas.size(), "data-isas");
   for (const std::string& isa : isas) heads += head(isa, isa_attribute(isa));
   if (other != nullptr) {
-    group("Cost, this run / other run", isas.size());
+    group("Cost, this run / other run", isas.size(), "data-isas");
     for (const std::string& isa : isas) heads += head("× " + isa, isa_attribute(isa));
   }
   for (const char* kind : {"Method error", "Arithmetic error"}) {

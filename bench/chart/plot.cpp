@@ -239,9 +239,19 @@ std::string caption_of(const Machine& m, const std::string& isa) {
   return text + " · " + m.compiler + " · commit " + m.commit + " · " + m.date + (m.quick ? " · quick run" : "");
 }
 
+std::string flags_of(const Machine& machine, const std::string& isa) {
+  // "common flags; sse42: its flags; avx2: its flags"
+  const std::string all = machine.flags + ";", key = "; " + isa + ": ";
+  std::string flags = all.substr(0, all.find(';'));
+  const std::size_t at = all.find(key);
+  if (at != std::string::npos)
+    flags.append(1, ' ').append(all, at + key.size(), all.find(';', at + 1) - at - key.size());
+  return flags;
+}
+
 std::string standalone_plot(const PlotContext& context, const std::string& family_title) {
   const Drawing drawing = draw_plot(context, Layout::wide);
-  constexpr double head = 70, foot = 34;
+  constexpr double head = 70, foot = 46;
   const double height = head + drawing.height + foot;
   const auto line = [](const char* cls, double y, const std::string& words) {
     return fmt::format(R"(<text class="{}" x="20" y="{}">{}</text>)", cls, coordinate(y), escaped(words));
@@ -252,7 +262,8 @@ std::string standalone_plot(const PlotContext& context, const std::string& famil
          line("title", 28, family_title + ": " + context.plot.title) +
          line("subtitle", 50, context.plot.domain + " · against " + context.plot.truth) +
          fmt::format(R"~(<g transform="translate(0 {})">)~", coordinate(head)) + drawing.content + "</g>" +
-         line("caption", height - 14, caption_of(context.machine, context.isa)) + "</svg>\n";
+         line("caption", height - 30, caption_of(context.machine, context.isa)) +
+         line("caption", height - 13, flags_of(context.machine, context.isa)) + "</svg>\n";
 }
 
 }  // namespace tessera::chart

@@ -25,6 +25,10 @@ struct PlotContext {
 
 /// Errors below this are drawn on a floor of their own, "exact": truth itself is no better.
 inline constexpr double exact_below = 1e-12;
+/// On an axis of more than long_axis decades, errors above this share a place at the top: nothing distinguishes them
+/// that anyone would want to know, and they would squeeze all others together.
+inline constexpr double worthless_above = 1e3;
+inline constexpr double long_axis = 10;
 
 Drawing draw_plot(const PlotContext& context, Layout layout);
 
@@ -33,6 +37,8 @@ std::string standalone_plot(const PlotContext& context, const std::string& famil
 
 /// How the page names a machine, in one line.
 std::string caption_of(const Machine& machine, const std::string& isa);
+/// The compiler flags that the kernels of this instruction set were built with.
+std::string flags_of(const Machine& machine, const std::string& isa);
 
 /// Whether the point is on the frontier of its plot, by this instruction set's costs. One entry per point.
 std::vector<bool> on_frontier(const Plot& plot, const std::string& isa);

@@ -9,24 +9,30 @@
 namespace tessera::chart {
 namespace {
 
-constexpr double floor_band = 30;  // pixels of the panel that the floor takes
+constexpr double edge_band = 30;  // pixels of the panel that the floor takes, or the ceiling
 
 Panel panel_over(const std::vector<double>& errors, double least, double top, double bottom) {
-  std::vector<double> positive;
-  bool floor = false;
-  for (const double error : errors) {
-    if (error <= exact_below)
-      floor = true;
-    else
-      positive.push_back(error);
-  }
   Panel panel;
   panel.top = top;
   panel.bottom = bottom;
-  panel.floor = floor;
-  panel.floor_y = bottom - floor_band / 2;
-  if (positive.empty()) positive = {1e-9, 1e-3};
-  panel.axis = axis_over(positive, least, 0.08, floor ? bottom - floor_band : bottom, top);
+  std::vector<double> on_axis;
+  for (const double error : errors) {
+    if (error <= exact_below)
+      panel.floor = true;
+    else
+      on_axis.push_back(error);
+  }
+  const LogAxis whole = axis_over(on_axis, 0, 0, 0, 1);
+  if (whole.high - whole.low > long_axis) {
+    const std::size_t all = on_axis.size();
+    std::erase_if(on_axis, [](double error) { return error > worthless_above; });
+    panel.ceiling = on_axis.size() < all;
+  }
+  if (on_axis.empty()) on_axis = {1e-9, 1e-3};
+  panel.floor_y = bottom - edge_band / 2;
+  panel.ceiling_y = top + edge_band / 2;
+  panel.axis =
+      axis_over(on_axis, least, 0.08, panel.floor ? bottom - edge_band : bottom, panel.ceiling ? top + edge_band : top);
   return panel;
 }
 
@@ -50,10 +56,14 @@ std::string draw_errors(const Panel& panel, const PlotFrame& f, int most, const 
     if (tick.major) out += text("tick", f.left - 6, y + f.font * 0.35, "end", tick.label);
   }
   if (panel.floor) {
-    out += line("floor", f.left, panel.bottom - floor_band, f.right, panel.bottom - floor_band);
+    out += line("floor", f.left, panel.bottom - edge_band, f.right, panel.bottom - edge_band);
     out += text("tick", f.left - 6, panel.floor_y + f.font * 0.35, "end", "exact");
     if (!narrow)  // above the frontier, which runs through the middle
-      out += text("tick note", f.right - 6, panel.bottom - floor_band + f.font * 0.8, "end", "error 0, or below 10⁻¹²");
+      out += text("tick note", f.right - 6, panel.bottom - edge_band + f.font * 0.8, "end", "error 0, or below 10⁻¹²");
+  }
+  if (panel.ceiling) {
+    out += line("floor", f.left, panel.top + edge_band, f.right, panel.top + edge_band);
+    out += text("tick", f.left - 6, panel.ceiling_y + f.font * 0.35, "end", "> 1000");
   }
   const double x = f.font * 0.95, y = (panel.top + panel.bottom) / 2;
   out += fmt::format(R"~(<text class="axis" text-anchor="middle" transform="translate({} {}) rotate(-90)">{}</text>)~",
@@ -73,6 +83,7 @@ std::string fitted(const std::string& words, double font, double room) {
 double Panel::at(double error) const {
   if (!std::isfinite(error)) return NAN;
   if (error <= exact_below) return floor ? floor_y : NAN;
+  if (ceiling && error > worthless_above) return ceiling_y;
   return axis.at(error);
 }
 

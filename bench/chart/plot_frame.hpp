@@ -12,6 +12,8 @@ struct Panel {
   double top = 0, bottom = 0;
   bool floor = false;  // errors below exact_below have a place, at floor_y
   double floor_y = 0;
+  bool ceiling = false;  // so have errors above worthless_above, at ceiling_y
+  double ceiling_y = 0;
 
   /// NaN for errors that are no numbers.
   [[nodiscard]] double at(double error) const;

@@ -20,7 +20,7 @@ TEST(Program, HelpNamesEveryCommandAndTeaches) {
   const Result help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* word : {"render", "shade", "info", "isa", "Examples", "--version"})
+  for (const char* word : {"render", "shade", "info", "isa", "chart", "Examples", "--version"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
 }
 

@@ -1,0 +1,84 @@
+// tessera chart as a person runs it, short of measuring.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "src/cli/program.hpp"
+#include "synthetic.hpp"
+
+namespace tessera::chart_test {
+namespace {
+
+using cli_test::Folder;
+using cli_test::Result;
+using cli_test::run;
+
+void expect_one_error_line(const Result& result, int status, const std::string& must_contain) {
+  EXPECT_EQ(result.status, status);
+  EXPECT_EQ(result.err.rfind("tessera: error: ", 0), 0u) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find(must_contain), std::string::npos) << result.err;
+}
+
+TEST(ChartProgram, HasHelp) {
+  const Result help = run({"chart", "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* word :
+       {"tessera chart", "--quick", "--isa", "--compare", "--from", "--list", "results.json", "out/chart"})
+    EXPECT_NE(help.out.find(word), std::string::npos) << word;
+}
+
+TEST(ChartProgram, ListsFamilies) {
+  const Result list = run({"chart", "--list"});
+  EXPECT_EQ(list.status, 0);
+  EXPECT_NE(list.out.find("fresnel "), std::string::npos) << list.out;
+}
+
+TEST(ChartProgram, RefusesWhatItDoesNotKnow) {
+  expect_one_error_line(run({"chart", "nonsense"}), 2, "no family 'nonsense'");
+  expect_one_error_line(run({"chart", "--isa", "mmx"}), 2, "mmx");
+  expect_one_error_line(run({"chart", "--no-such-option"}), 2, "no-such-option");
+  expect_one_error_line(run({"chart", "--from", "x.json", "--quick"}), 2, "--quick");
+}
+
+TEST(ChartProgram, DrawsFromAFileAndComparesWithAnother) {
+  const Folder folder;
+  cli_test::write_file(folder.path("results.json"), to_json(synthetic_results()));
+  const Result result = run({"chart", "--from", folder.path("results.json"), "--compare", folder.path("results.json"),
+                             "-o", folder.path("deep/chart")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("deep/chart/index.html"), std::string::npos);
+  EXPECT_NE(result.out.find("cost x 1.00"), std::string::npos) << result.out;
+  const std::string page = cli_test::read_file(folder.path("deep/chart/index.html"));
+  EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_EQ(cli_test::read_file(folder.path("deep/chart/plots/fresnel-crowded-avx2.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(cli_test::read_file(folder.path("deep/chart/plots/fresnel-crowded-avx2.svg")).rfind("<svg ", 0), 0u);
+  EXPECT_EQ(cli_test::read_file(folder.path("deep/chart/maps/fresnel-dielectric-method-0.png")).substr(1, 3), "PNG");
+  const std::string json = cli_test::read_file(folder.path("deep/chart/results.json"));
+  EXPECT_EQ(json, to_json(synthetic_results())) << "what was read is written as it was";
+}
+
+TEST(ChartProgram, RefusesHostileFilesInOneLine) {
+  const Folder folder;
+  std::string hostile = to_json(synthetic_results());
+  const std::string key = "\"avx2\": {";
+  hostile.replace(hostile.find(key), key.size(), "\"\\n\\u001b[31m\": {\"x\": 1}, \"avx2\": {");
+  cli_test::write_file(folder.path("hostile.json"), hostile);
+  for (const char* option : {"--from", "--compare"}) {
+    expect_one_error_line(run({"chart", option, folder.path("hostile.json")}), 3, "hostile.json");
+    expect_one_error_line(run({"chart", option, folder.path("nothing.json")}), 3, "nothing.json");
+  }
+}
+
+TEST(ChartProgram, SaysWhenItCannotWrite) {
+  const Folder folder;
+  cli_test::write_file(folder.path("results.json"), to_json(synthetic_results()));
+  cli_test::write_file(folder.path("file"), "in the way");
+  expect_one_error_line(run({"chart", "--from", folder.path("results.json"), "-o", folder.path("file/chart")}), 4,
+                        "file/chart");
+}
+
+}  // namespace
+}  // namespace tessera::chart_test
