@@ -176,7 +176,7 @@ std::string draw_legend(const PlotContext& context, const PlotFrame& f, Layout l
   };
   std::vector<Entry> entries = {
       {R"(<g class="point frontier"><circle class="dot" cx="8" cy="-4" r="5"/></g>)",
-       narrow ? "on the frontier" : "Pareto frontier: nothing is both cheaper and more accurate"},
+       narrow ? "on the frontier" : "on the Pareto frontier"},
       {R"(<g class="point dominated"><circle class="dot" cx="8" cy="-4" r="5"/></g>)", "dominated"},
       {R"(<path class="spread" d="M0 -4H16M0 -8v8M16 -8v8"/>)",
        narrow ? "repetitions" : "lowest to highest repetition"},
