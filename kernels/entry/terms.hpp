@@ -13,7 +13,7 @@ using TermScalar = float;
 #endif
 
 // One list per entry file, collected by terms.cpp.
-extern const TermSpan<TermScalar> distribution_terms, fresnel_terms, lobe_terms;
+extern const TermSpan<TermScalar> distribution_terms, fresnel_terms, lobe_terms, energy_terms;
 extern const TermSpan<TermScalar> masking_terms, diffuse_terms;
 extern const TermSpan<TermScalar> blending_terms;
 extern const TermSpan<TermScalar> dfg_terms;
