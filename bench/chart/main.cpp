@@ -1,7 +1,6 @@
 // tessera-chart: measures families of methods and writes a chart of them. `tessera chart` runs it (src/cli/chart.cpp).
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <new>
 #include <optional>
 
@@ -41,15 +40,12 @@ struct Options {
   std::string isa, compare, from, folder = "out/chart";
 };
 
-// "fresnel": what a list says of it, from the catalogue.
 void list_families() {
-  std::map<std::string, std::vector<std::string>> titles;
-  for (const catalogue::Method& method : catalogue::methods()) titles[method.family].push_back(method.title);
   std::string text;
   for (const FamilyEntry& family : families()) {
-    std::string line;
-    for (const std::string& title : titles[family.name]) line += (line.empty() ? "" : ", ") + title;
-    text += fmt::format("{:<14}{}\n", family.name, shortened(line, 104));
+    text += family.name + "\n";
+    for (const catalogue::Method& method : catalogue::methods())
+      if (method.family == family.name) text += fmt::format("  {:<44}{}\n", method.title, shortened(method.paper, 72));
   }
   cli::print(text.empty() ? "no family is part of this build\n" : text);
 }

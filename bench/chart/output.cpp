@@ -10,6 +10,7 @@
 #include "bench/chart/page.hpp"
 #include "bench/chart/plot.hpp"
 #include "bench/chart/raster.hpp"
+#include "io/image_file.hpp"
 #include "io/output_file.hpp"
 
 namespace tessera::chart {
@@ -23,6 +24,11 @@ void write_file(const fs::path& path, const std::string& content) {
   OutputFile file(path.string());
   file.write(content.data(), content.size());
   file.commit();
+}
+
+void write_picture(const fs::path& path, const std::string& svg, double scale) {
+  const Picture picture = picture_of_svg(svg, scale);
+  write_png(path.string(), picture.width, picture.height, 3, picture.rgb.data());
 }
 
 void make_folder(const fs::path& folder) {
@@ -54,9 +60,10 @@ void add_maps(Jobs& jobs, const fs::path& folder, const Plot& plot, const std::s
       if (member.point->maps.size() > 1) file.append(1, '-').append(file_part(member.map->title));
       jobs.emplace_back([=, path = folder / (file + ".png"), scale = group.scale] {
         const std::string& title = member.map->title;
-        write_file(path, png_of_svg(standalone_map(*member.map, scale, member.point->title,
-                                                   title == member.point->title ? "error" : title),
-                                    map_scale));
+        write_picture(
+            path,
+            standalone_map(*member.map, scale, member.point->title, title == member.point->title ? "error" : title),
+            map_scale);
       });
     }
 }
@@ -82,7 +89,7 @@ void write_chart(const std::string& folder, const Results& results, const Result
                                     other == nullptr ? "" : name_of_run(other->machine)};
           const std::string svg = standalone_plot(context, family.title), file = name + "-" + isa;
           write_file(top / "plots" / (file + ".svg"), svg);
-          write_file(top / "plots" / (file + ".png"), png_of_svg(svg, plot_scale));
+          write_picture(top / "plots" / (file + ".png"), svg, plot_scale);
         });
       add_maps(jobs, top / "maps", plot, name);
     }

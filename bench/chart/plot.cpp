@@ -120,8 +120,8 @@ std::string draw_points(const PlotContext& context, const PlotFrame& f, const st
   return out;
 }
 
-std::string draw_labels(const PlotContext& context, const PlotFrame& f, const std::vector<Marker>& markers,
-                        const std::vector<Segment>& stairs, std::vector<Rect> obstacles, Layout layout) {
+std::string draw_labels(const PlotFrame& f, const std::vector<Marker>& markers, const std::vector<Segment>& stairs,
+                        std::vector<Rect> obstacles, Layout layout) {
   LabelScene scene{{f.left + 3, f.method.top + 3, f.right - 3, f.method.bottom - 2}, std::move(obstacles), stairs};
   std::vector<const Marker*> order;
   for (const bool frontier : {true, false})
@@ -143,12 +143,19 @@ std::string draw_labels(const PlotContext& context, const PlotFrame& f, const st
     if (!label.placed) continue;
     if (label.leader) out += fmt::format(R"(<path class="leader" d="{}"/>)", path_of({label.line}));
     const bool title = layout == Layout::wide && label.choice == 0;
-    out += fmt::format(R"(<text class="label {}" data-label="{}" x="{}" y="{}" text-anchor="middle">{}</text>)",
+    // Boxes are estimated wider than most fonts are: the end that faces the point stays where it is.
+    const bool right = label.box.x0 >= order[i]->x, left = label.box.x1 <= order[i]->x;
+    out += fmt::format(R"(<text class="label {}" data-label="{}" x="{}" y="{}" text-anchor="{}">{}</text>)",
                        order[i]->frontier ? "frontier" : "dominated", escaped(order[i]->point->id),
-                       coordinate((label.box.x0 + label.box.x1) / 2), coordinate(label.box.y1 - f.font * 0.3),
+                       coordinate(right  ? label.box.x0
+                                  : left ? label.box.x1
+                                         : (label.box.x0 + label.box.x1) / 2),
+                       coordinate(label.box.y1 - f.font * 0.3),
+                       right  ? "start"
+                       : left ? "end"
+                              : "middle",
                        title ? escaped(order[i]->point->title) : std::to_string(order[i]->number));
   }
-  (void)context;
   return out;
 }
 
@@ -176,7 +183,7 @@ std::string draw_legend(const PlotContext& context, const PlotFrame& f, Layout l
   };
   std::vector<Entry> entries = {
       {R"(<g class="point frontier"><circle class="dot" cx="8" cy="-4" r="5"/></g>)",
-       narrow ? "on the frontier" : "Pareto frontier: nothing is both cheaper and more accurate"},
+       narrow ? "on the frontier" : "on the Pareto frontier"},
       {R"(<g class="point dominated"><circle class="dot" cx="8" cy="-4" r="5"/></g>)", "dominated"},
       {R"(<path class="spread" d="M0 -4H16M0 -8v8M16 -8v8"/>)",
        narrow ? "repetitions" : "lowest to highest repetition"},
@@ -226,7 +233,7 @@ Drawing draw_plot(const PlotContext& context, Layout layout) {
   std::vector<Rect> obstacles;
   out += draw_arrow(f, markers, stairs, obstacles);
   out += draw_other(context, f, markers);
-  out += draw_labels(context, f, markers, stairs, obstacles, layout);
+  out += draw_labels(f, markers, stairs, obstacles, layout);
   out += draw_points(context, f, markers);
   out += draw_legend(context, f, layout);
   return {out, f.width, f.height};

@@ -29,7 +29,7 @@ std::string png_of(const Surface& surface) {
 
 }  // namespace
 
-std::string png_of_svg(const std::string& svg, double scale) {
+Picture picture_of_svg(const std::string& svg, double scale) {
   GError* error = nullptr;
   const auto fail = [&] {
     const std::string reason = error != nullptr ? error->message : "unknown reason";
@@ -50,7 +50,20 @@ std::string png_of_svg(const std::string& svg, double scale) {
   cairo_set_source_rgb(pen.get(), 1, 1, 1);
   cairo_paint(pen.get());
   if (rsvg_handle_render_document(handle.get(), pen.get(), &viewport, &error) == 0) throw fail();
-  return png_of(surface);
+  cairo_surface_flush(surface.get());
+  Picture picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
+  const unsigned char* const rows = cairo_image_surface_get_data(surface.get());
+  const auto row_bytes = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  const auto width_pixels = static_cast<std::size_t>(picture.width),
+             rows_count = static_cast<std::size_t>(picture.height);
+  picture.rgb.reserve(width_pixels * rows_count * 3);
+  for (std::size_t y = 0; y < rows_count; ++y)
+    for (std::size_t x = 0; x < width_pixels; ++x) {
+      std::uint32_t pixel = 0;  // 0xXXRRGGBB in the machine's own byte order
+      std::memcpy(&pixel, rows + y * row_bytes + x * sizeof pixel, sizeof pixel);
+      for (const int shift : {16, 8, 0}) picture.rgb.push_back(static_cast<unsigned char>(pixel >> shift));
+    }
+  return picture;
 }
 
 std::string png_of_pixels(int width, int height, const std::vector<std::uint32_t>& pixels) {

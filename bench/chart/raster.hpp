@@ -1,4 +1,4 @@
-// PNG bytes: of SVG text, and of pixels.
+// SVG text as pixels, and pixels as PNG bytes.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -6,8 +6,13 @@
 
 namespace tessera::chart {
 
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<unsigned char> rgb;  // rows from the top
+};
+
 /// The picture that an SVG describes, `scale` pixels to its unit. Throws Error(output) with the reason.
-std::string png_of_svg(const std::string& svg, double scale);
+Picture picture_of_svg(const std::string& svg, double scale);
 
 /// pixels: 0xRRGGBB, rows from the top.
 std::string png_of_pixels(int width, int height, const std::vector<std::uint32_t>& pixels);

@@ -32,7 +32,7 @@ TEST(ChartProgram, HasHelp) {
 TEST(ChartProgram, ListsFamilies) {
   const Result list = run({"chart", "--list"});
   EXPECT_EQ(list.status, 0);
-  EXPECT_NE(list.out.find("fresnel "), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("fresnel\n"), std::string::npos) << list.out;
 }
 
 TEST(ChartProgram, RefusesWhatItDoesNotKnow) {
