@@ -165,6 +165,7 @@ void Renderer::render(const View& view, const RenderSettings& settings, const Fr
   statistics.isa = s.kernels.isa;
   statistics.prepare_ms = s.prepare_ms;
   statistics.texture_bytes = s.textures.bytes();
+  statistics.table_bytes = s.lighting.table_bytes();
   std::optional<GBufferCapture> capture;
   if (request.gbuffer) capture.emplace(settings.width, settings.height, settings.samples);
 
@@ -214,6 +215,7 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
   statistics = {};
   statistics.isa = kernels.isa;
   statistics.prepare_ms = ms_since(start);
+  statistics.table_bytes = lighting.table_bytes();
   std::vector<std::size_t> first(gbuffer.counts.size() + 1, 0);
   for (std::size_t i = 0; i < gbuffer.counts.size(); ++i) first[i + 1] = first[i] + gbuffer.counts[i];
 

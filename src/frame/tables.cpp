@@ -32,6 +32,15 @@ void Lighting::apply(TileInputs& in) const {
   in.dfg = dfg->view();
 }
 
+std::size_t Lighting::table_bytes() const {
+  if (environment == nullptr) return 0;
+  constexpr std::size_t texel_bytes = 4 * sizeof(std::uint16_t);
+  const EnvironmentView view = environment->view();
+  std::size_t texels = 0;
+  for (const CubeView& cube : {view.specular, view.background}) texels += cube_level_offset(cube.size, cube.levels);
+  return texels * texel_bytes + dfg->texels.size() * sizeof(float);
+}
+
 BackgroundSource Lighting::background(const RenderSettings& settings) const {
   BackgroundSource source;
   source.kind = settings.background;

@@ -158,6 +158,7 @@ TEST_F(Render, StatisticsSayWhatHappened) {
   EXPECT_GT(json.at("pixels_shaded"), 30 * 30);
   EXPECT_LT(json.at("pixels_shaded"), 38 * 38);
   EXPECT_GT(json.at("memory_bytes").at("peak"), 0);
+  EXPECT_EQ(json.at("memory_bytes").at("tables"), 0);  // no environment, no tables
   double sum = 0;
   for (const char* stage : {"load", "environment", "prepare", "geometry", "tiles", "encode", "write"})
     sum += json.at("stages_ms").at(stage).get<double>();
