@@ -26,7 +26,7 @@ Planes lobes(double smooth, double mask, int steps) {
   return planes;
 }
 
-// Difference of the reflected light over the lobe, as a part of the light that the mixture reflects there.
+// Part of the reflected light that a form sends elsewhere than the mixture does: half the sum of the differences.
 double relative_difference(const std::string& term, double smooth, double mask, int steps) {
   const Planes in = lobes(smooth, mask, steps);
   const std::vector<double> found = in_double(term, in), truth = in_double("blend_Shaded", in);
@@ -36,7 +36,7 @@ double relative_difference(const std::string& term, double smooth, double mask, 
     difference += weight * std::abs(found[i] - truth[i]);
     total += weight * truth[i];
   }
-  return difference / total;
+  return 0.5 * difference / total;
 }
 
 void time_point(Session& session, Point& point, const std::string& term, Planes inputs) {

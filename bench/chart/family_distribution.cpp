@@ -67,6 +67,21 @@ Grid grid_of(const std::string& term, const std::vector<double>& alphas, const s
   return grid;
 }
 
+// Largest relative error of the usual GGX at one alpha.
+double naive_error_at(Session& session, double alpha) {
+  const Grid grid = grid_of("D_GGX_naive", {alpha}, spread(0, 3, 2001));
+  return relative_error(in_float(session, "D_GGX_naive", grid.planes), grid.truth, 1e-20).max;
+}
+
+double stable_over_naive(const Plot& plot) {
+  const auto cost = [&](const char* id) {
+    return std::find_if(plot.points.begin(), plot.points.end(), [&](const Point& p) { return p.id == id; })
+        ->cost.rbegin()
+        ->second.ns;
+  };
+  return cost("d-ggx") / cost("d-ggx-naive");
+}
+
 }  // namespace
 
 Family measure_distribution(Session& session) {
@@ -112,9 +127,10 @@ Family measure_distribution(Session& session) {
       "The naive forms know the cosine alone.";
   family.findings = {
       fmt::format(
-          "GGX through the sine keeps its digits ({} at worst) down to alpha = 1e-4, where the usual form is off "
-          "by a factor of up to {}; it costs no more.",
-          number(worst("d-ggx")), number(1 + worst("d-ggx-naive"))),
+          "GGX through the sine keeps its digits ({} at worst) down to alpha = 1e-4; in the usual form the "
+          "denominator cancels, from a relative error of {} at alpha = 0.01 to a division by zero below 2.4e-4. "
+          "The stable form takes {:.2g} times as long.",
+          number(worst("d-ggx")), number(naive_error_at(session, 0.01)), stable_over_naive(plot)),
       fmt::format("Blinn-Phong through the sine: {}; through the power of the cosine: {}.",
                   number(worst("d-blinnphong")), number(worst("d-blinnphong-naive"))),
       fmt::format(
