@@ -33,6 +33,11 @@ function(tessera_compile_for_isa target isa)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-var-tracking>)
 endfunction()
 
+# The price of the determinism contract is measured against what the compiler makes of the same templates when it may
+# contract a * b + c: this file alone, which only the chart runs (kernels/math/estimate.hpp).
+set_source_files_properties(${CMAKE_SOURCE_DIR}/kernels/entry/terms_estimate.cpp PROPERTIES COMPILE_OPTIONS
+                                                                                          -ffp-contract=fast)
+
 add_library(tessera_kernels STATIC ${CMAKE_SOURCE_DIR}/kernels/tables.cpp)
 target_link_libraries(tessera_kernels PRIVATE tessera_flags)
 foreach(isa IN LISTS TESSERA_ISAS)

@@ -4,9 +4,9 @@
 namespace tessera::TESSERA_ISA {
 
 extern const TermSpan<TermScalar>* const terms[];
-const TermSpan<TermScalar>* const terms[] = {&distribution_terms, &fresnel_terms, &lobe_terms,
-                                             &masking_terms,      &diffuse_terms, &blending_terms,
-                                             &dfg_terms,          &energy_terms,  nullptr};
+const TermSpan<TermScalar>* const terms[] = {&distribution_terms, &fresnel_terms,  &lobe_terms, &masking_terms,
+                                             &diffuse_terms,      &blending_terms, &dfg_terms,  &energy_terms,
+                                             &function_terms,     &estimate_terms, nullptr};
 
 }  // namespace tessera::TESSERA_ISA
 

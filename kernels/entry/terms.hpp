@@ -17,6 +17,7 @@ extern const TermSpan<TermScalar> distribution_terms, fresnel_terms, lobe_terms,
 extern const TermSpan<TermScalar> masking_terms, diffuse_terms;
 extern const TermSpan<TermScalar> blending_terms;
 extern const TermSpan<TermScalar> dfg_terms;
+extern const TermSpan<TermScalar> function_terms, estimate_terms;
 
 namespace {
 
