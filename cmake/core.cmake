@@ -28,6 +28,6 @@ target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels tessera_
 
 if(TESSERA_CLI_SOURCES)
   add_executable(tessera ${TESSERA_CLI_SOURCES})
-  target_link_libraries(tessera PRIVATE tessera_core CLI11::CLI11)
+  target_link_libraries(tessera PRIVATE tessera_core tessera_catalogue tessera_reference CLI11::CLI11)
   target_compile_definitions(tessera PRIVATE TESSERA_VERSION="${PROJECT_VERSION}")
 endif()

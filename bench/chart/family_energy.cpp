@@ -256,7 +256,7 @@ std::vector<std::string> findings(const Plot& light, const Plot& environment, co
                   f0.method.mean < kS.method.mean ? "F0" : "kS"),
       fmt::format(
           "E in the variable mu / (mu + 2.5 alpha): a table of 32 x 32 values is within {}, a polynomial within "
-          "{}, down to NoV = 0.0001; on linear axes tables of that size are off by a tenth there.",
+          "{}, down to NoV = 0.0001.",
           number(small.method.max), number(polynomial.method.max))};
 }
 

@@ -8,6 +8,7 @@ void add_render(CLI::App& program);
 void add_shade(CLI::App& program);
 void add_info(CLI::App& program);
 void add_isa(CLI::App& program);
+void add_furnace(CLI::App& program);
 void add_chart(CLI::App& program);
 
 }  // namespace tessera::cli

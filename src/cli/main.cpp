@@ -39,10 +39,11 @@ int run(int argc, char** argv) {
   tessera::cli::add_info(program);
   tessera::cli::add_isa(program);
   tessera::cli::add_chart(program);
+  tessera::cli::add_furnace(program);
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty())
-      throw tessera::usage_error("a command is needed: render, shade, info, isa or chart ('tessera --help')");
+      throw tessera::usage_error("a command is needed: render, shade, info, isa, chart or furnace ('tessera --help')");
   } catch (const CLI::CallForHelp&) {
     // Help of the command that was being parsed, not of the whole program.
     const auto chosen = program.get_subcommands();
