@@ -20,6 +20,9 @@ constexpr const char* footer =
     R"(A lobe that conserves energy gives back all of a white furnace when its facets are white (--f0 1): the table says 1
 everywhere, and the spheres of the picture vanish. Single scattering alone loses light as the roughness grows.
 
+The picture (-o) shows a sphere per roughness in a furnace of middle grey, so that a gain would show too. Below them is a
+map: NoV from 0 to 1 across, a band per roughness downwards; white within 0.001 of the furnace, blue darker, red brighter.
+
 --brdf takes names of parts, with or without their prefix: a distribution (D_...), masking (V_...), Fresnel (F_...) and
 energy compensation (f_... for lights, split_... for environments); 'tessera furnace --list' names all. What is not
 named is D_GGX, V_SmithGGXCorrelated, F_Schlick, and no compensation. Compensations know the energy that GGX with
