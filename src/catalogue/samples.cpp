@@ -60,8 +60,7 @@ class Sampler {
 Domain domain_of(const Method& method, Quantity quantity) {
   switch (quantity) {
     case Quantity::NoV:
-    case Quantity::NoL:
-      return {1e-4, 1};  // as the shading loop clamps them
+    case Quantity::NoL:  // as the shading loop clamps them
     case Quantity::alpha:
     case Quantity::alpha_y:
       return {1e-4, 1};

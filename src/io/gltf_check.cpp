@@ -200,7 +200,7 @@ class Checker {
     if (!value.is_object()) throw wrong(path, "is {}, expected an object", shown(value));
     json out = json::object();
     for (const auto& [key, index] : value.items()) {
-      const std::string place = path + "." + key;
+      const std::string place = fmt::format("{}.{}", path, key);
       if (rule.kind == GltfKind::integer_map) {
         out[key] = check_integer(index, rule, place);
       } else {
@@ -290,7 +290,7 @@ class Checker {
         continue;
       }
       json& place = extension ? out["extensions"][key] : out[key];
-      place = check_value(*rule, *found, path + (extension ? ".extensions." : ".") + key);
+      place = check_value(*rule, *found, fmt::format("{}{}{}", path, extension ? ".extensions." : ".", key));
     }
     return out;
   }

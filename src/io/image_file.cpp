@@ -26,7 +26,7 @@ void widen_half(const std::vector<std::byte>& in, AlignedVector<float>& out) {
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = half_to_float(values[i]);
 }
 
-void read_pixels(ImageReader& reader, int channels, OIIO::TypeDesc type, void* pixels, const std::string& name) {
+void read_pixels(ImageReader& reader, int channels, const OIIO::TypeDesc& type, void* pixels, const std::string& name) {
   if (!reader.input->read_image(0, 0, 0, channels, type, pixels)) throw decode_error(name, *reader.input);
 }
 

@@ -17,7 +17,7 @@ std::string refusal(const std::string& path) {
     load_gltf(path);
   } catch (const Error& e) {
     EXPECT_EQ(e.status(), ExitStatus::input);
-    const std::string message = e.what();
+    std::string message = e.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_TRUE(message.starts_with(path)) << message;
     return message;
