@@ -38,7 +38,7 @@ endfunction()
 set_source_files_properties(${CMAKE_SOURCE_DIR}/kernels/entry/terms_estimate.cpp PROPERTIES COMPILE_OPTIONS
                                                                                           -ffp-contract=fast)
 
-add_library(tessera_kernels STATIC ${CMAKE_SOURCE_DIR}/kernels/tables.cpp)
+add_library(tessera_kernels STATIC ${CMAKE_SOURCE_DIR}/kernels/tables.cpp ${CMAKE_SOURCE_DIR}/kernels/sampling_tables.cpp)
 target_link_libraries(tessera_kernels PRIVATE tessera_flags)
 foreach(isa IN LISTS TESSERA_ISAS)
   add_library(tessera_kernels_${isa} OBJECT ${TESSERA_KERNEL_ENTRIES})

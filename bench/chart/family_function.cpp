@@ -173,7 +173,7 @@ Family measure_function(Session& session) {
   const Plot& price = family.plots.back();
   std::string contracted, estimated;
   for (const auto& [isa, cost] : price.points[0].cost) {
-    const auto text = [&](const Point& p) {
+    const auto text = [&, &isa = isa, &cost = cost](const Point& p) {
       return fmt::format("{:+.0f} % on {}", 100 * (cost.ns / p.cost.at(isa).ns - 1), isa);
     };
     contracted += (contracted.empty() ? "" : ", ") + text(price.points[1]);
@@ -184,10 +184,10 @@ Family measure_function(Session& session) {
     return family.plots[std::size_t(plot)].points[std::size_t(point)].cost.at(isa).ns;
   };
   family.findings = {
-      "The same bits on every machine cost, against a build that may contract: " + contracted +
+      "The same bits on every machine, in time against a build that may contract: " + contracted +
           ". On SSE4.2, which has no fused multiply-add, the contract emulates one.",
-      "Against contraction and the machine's estimates together: " + estimated +
-          fmt::format("; and the error rises from {} to {}.", number(price.points[0].method.max),
+      "In time against contraction and the machine's estimates together: " + estimated +
+          fmt::format("; the error: {} by default, {} with them.", number(price.points[0].method.max),
                       number(price.points[2].method.max)),
       fmt::format("On {}, exp2 to the last place takes {:.2f} ns and a cubic {:.2f} ns; acos {:.2f} against {:.2f} ns; "
                   "pow, whose logarithm is carried in two floats, {:.2f} ns against {:.2f} ns for exp2(y log2 x).",

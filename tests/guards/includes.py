@@ -11,7 +11,7 @@ import re
 import sys
 
 KERNELS = "kernels/interface.hpp"
-PUBLIC = {KERNELS, "kernels/terms.hpp"}  # what the rest may include
+PUBLIC = {KERNELS, "kernels/terms.hpp", "kernels/sampling.hpp"}  # what the rest may include
 # folder -> the folders of src/ that it may include, and whether it may include kernels/interface.hpp
 LAYERS = {
     "base": (set(), True),  # only constants of the interface

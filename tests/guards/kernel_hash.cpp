@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "kernels/runnable_kernels.hpp"
+#include "kernels/sampling.hpp"
 #include "kernels/terms.hpp"
 
 namespace tessera {
@@ -55,6 +56,28 @@ void hash_terms(const Kernels& kernels, Random& random, Hash& hash) {
     }
 }
 
+// Textures of noise: any word is a texel of the packed formats.
+void hash_sampling(const Kernels& kernels, Random& random, Hash& hash) {
+  constexpr int size = 64, levels = 4;
+  constexpr std::size_t count = 1003;
+  std::vector<std::uint32_t> words(sampling_texels(size, levels, true) * 4 + 4);
+  for (std::uint32_t& word : words) word = std::uint32_t(random.next());
+  std::vector<float> in[4], out[3];
+  for (auto& plane : in)
+    for (std::size_t i = 0; i < count; ++i) plane.push_back(i % 4 ? random.between(-3, 3) : random.any_bits());
+  for (const SamplingKernels* const* list = sampling_tables; *list != nullptr; ++list) {
+    if (std::string_view((*list)->isa) != kernels.isa) continue;
+    for (int k = 0; k < (*list)->count; ++k) {
+      for (auto& plane : out) plane.assign(count, 0);
+      (*list)->first[k].run({{words.data(), size, levels},
+                             {in[0].data(), in[1].data(), in[2].data(), in[3].data()},
+                             {out[0].data(), out[1].data(), out[2].data()},
+                             count});
+      for (const auto& plane : out) hash.add(plane);
+    }
+  }
+}
+
 void hash_encode(const Kernels& kernels, Random& random, Hash& hash) {
   constexpr std::size_t count = 4099;
   std::vector<float> rgba(4 * count);
@@ -91,8 +114,9 @@ struct Subject {
   void (*run)(const Kernels&, Random&, Hash&);
 };
 const Subject subjects[] = {
-    {"evaluate", hash_evaluate}, {"terms", hash_terms},   {"encode", hash_encode}, {"downsample", hash_downsample},
-    {"halves", hash_halves},     {"raster", hash_raster}, {"shade", hash_shade},   {"environment", hash_environment},
+    {"evaluate", hash_evaluate}, {"terms", hash_terms},           {"sampling", hash_sampling},
+    {"encode", hash_encode},     {"downsample", hash_downsample}, {"halves", hash_halves},
+    {"raster", hash_raster},     {"shade", hash_shade},           {"environment", hash_environment},
 };
 
 }  // namespace
