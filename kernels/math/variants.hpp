@@ -51,9 +51,11 @@ inline constexpr float exp2_degree_4[] = {0.999999285f, 0.693121791f, 0.24024744
 inline constexpr float exp2_degree_5[] = {1.00000012f,   0.693146944f,   0.240221202f,
                                           0.0555071346f, 0.00967554096f, 0.00132764096f};
 
-/// 2^x for x in [-126, 127].
+/// 2^x for x in [-126, 127]; others, and NaN, are clamped to it: what a float beyond the integers converts to differs
+/// between machines.
 template <int count, class F>
-TESSERA_INLINE F exp2_by(const float (&c)[count], F x) {
+TESSERA_INLINE F exp2_by(const float (&c)[count], F given) {
+  const F x = clamp(given, F(-126), F(127));
   const IntOf<F> n = round_to_int(x);
   return scale_normal(horner(c, x - to_float(n)), n);
 }

@@ -30,10 +30,12 @@ void hash_evaluate(const Kernels& kernels, Random& random, Hash& hash) {
   }
 }
 
-// Every term but hardware estimates, over the unit cube and over any bits. Those that need a table get one of noise.
-void hash_terms(const Kernels& kernels, Random& random, Hash& hash) {
+// One hash per term but for hardware estimates, whose bits differ between machines: over the unit cube and over any
+// bits. Those that need a table get one of noise.
+void print_term_hashes(const Kernels& kernels) {
   constexpr std::size_t count = 5003;
   constexpr int table_size = 16;
+  Random random;
   std::vector<std::vector<float>> in;
   for (int k = 0; k < max_term_inputs; ++k) {
     in.push_back(random.units(count));
@@ -43,7 +45,7 @@ void hash_terms(const Kernels& kernels, Random& random, Hash& hash) {
   for (const TermSpan<float>* const* span = kernels.terms; *span != nullptr; ++span)
     for (int t = 0; t < (*span)->count; ++t) {
       const Term<float>& term = (*span)->first[t];
-      if (std::string_view(term.name).starts_with("estimate_")) continue;  // bits that differ between machines
+      if (std::string_view(term.name).starts_with("estimate_")) continue;
       std::vector<std::vector<float>> out(std::size_t(term.outputs), std::vector<float>(count));
       TermArgs<float> args{};
       for (int k = 0; k < term.inputs; ++k) args.in[k] = in[static_cast<std::size_t>(k)].data();
@@ -52,7 +54,9 @@ void hash_terms(const Kernels& kernels, Random& random, Hash& hash) {
       args.table = table.data();
       args.table_size = table_size;
       term.run(args);
+      Hash hash;
       for (const auto& plane : out) hash.add(plane);
+      std::printf("%s term/%s %016llx\n", kernels.isa, term.name, static_cast<unsigned long long>(hash.value()));
     }
 }
 
@@ -114,9 +118,9 @@ struct Subject {
   void (*run)(const Kernels&, Random&, Hash&);
 };
 const Subject subjects[] = {
-    {"evaluate", hash_evaluate}, {"terms", hash_terms},           {"sampling", hash_sampling},
-    {"encode", hash_encode},     {"downsample", hash_downsample}, {"halves", hash_halves},
-    {"raster", hash_raster},     {"shade", hash_shade},           {"environment", hash_environment},
+    {"evaluate", hash_evaluate},     {"sampling", hash_sampling},       {"encode", hash_encode},
+    {"downsample", hash_downsample}, {"halves", hash_halves},           {"raster", hash_raster},
+    {"shade", hash_shade},           {"environment", hash_environment},
 };
 
 }  // namespace
@@ -124,11 +128,13 @@ const Subject subjects[] = {
 
 int main() {
   using namespace tessera;
-  for (const Kernels* kernels : runnable_kernels())
+  for (const Kernels* kernels : runnable_kernels()) {
+    print_term_hashes(*kernels);
     for (const Subject& subject : subjects) {
       Random random;
       Hash hash;
       subject.run(*kernels, random, hash);
       std::printf("%s %s %016llx\n", kernels->isa, subject.name, static_cast<unsigned long long>(hash.value()));
     }
+  }
 }
