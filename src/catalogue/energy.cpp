@@ -240,6 +240,7 @@ std::vector<Method> energy_methods() {
        true},
   };
   std::vector<Method> methods;
+  methods.reserve(entries.size());
   for (const Entry& entry : entries) methods.push_back(method_of(entry));
   return methods;
 }

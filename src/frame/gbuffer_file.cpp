@@ -129,6 +129,7 @@ std::vector<ExrChannel> flat_gbuffer_channels(const GBufferImage& image, FlatPla
     ++at;
   }
   std::vector<ExrChannel> channels;
+  channels.reserve(gbuffer_planes + 2);
   for (int k = 0; k < gbuffer_planes; ++k)
     channels.push_back({gbuffer_plane_names[k].name, storage.f32[k].data(), nullptr, 1});
   channels.push_back({triangle_channel, nullptr, storage.u32[0].data(), 1});
@@ -139,6 +140,7 @@ std::vector<ExrChannel> flat_gbuffer_channels(const GBufferImage& image, FlatPla
 void write_deep_gbuffer(const std::string& path, const GBufferImage& image,
                         const std::map<std::string, std::string>& attributes) {
   std::vector<ExrChannel> channels;
+  channels.reserve(gbuffer_planes + 2);
   for (int k = 0; k < gbuffer_planes; ++k)
     channels.push_back({gbuffer_plane_names[k].name, image.planes[k].data(), nullptr, 1});
   channels.push_back({triangle_channel, nullptr, image.triangle.data(), 1});

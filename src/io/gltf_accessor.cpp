@@ -135,7 +135,7 @@ void read_elements(GltfDocument& document, int index, std::vector<T>& out, const
   const tinygltf::Accessor& accessor = document.model.accessors[std::size_t(index)];
   const std::string part = accessor_name(index);
   const ElementLayout layout = layout_of(accessor);
-  const std::size_t components = std::size_t(layout.rows * layout.columns);
+  const std::size_t components = std::size_t(layout.rows) * std::size_t(layout.columns);
   const auto read_element = [&](const std::byte* from, T* to) {
     for (int c = 0; c < layout.columns; ++c)
       for (int r = 0; r < layout.rows; ++r) {

@@ -30,7 +30,7 @@ std::string refusal(const fs::path& path) {
     load_gltf(path.string());
   } catch (const Error& e) {
     EXPECT_EQ(e.status(), ExitStatus::input);
-    const std::string message = e.what();
+    std::string message = e.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_TRUE(message.starts_with(path.string())) << message;
     return message;

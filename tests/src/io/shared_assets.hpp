@@ -8,7 +8,7 @@ namespace tessera {
 /// A path that does not exist where the assets are not there.
 inline std::filesystem::path shared_assets() {
   for (const char* up : {"..", "../.."}) {
-    const std::filesystem::path folder = std::filesystem::path(TESSERA_SOURCE_DIR) / up / "shared" / "assets";
+    std::filesystem::path folder = std::filesystem::path(TESSERA_SOURCE_DIR) / up / "shared" / "assets";
     if (std::filesystem::exists(folder)) return folder;
   }
   return "no-shared-assets";
