@@ -21,6 +21,13 @@ set(TESSERA_CLI_SOURCES ${TESSERA_CORE_SOURCES})
 list(FILTER TESSERA_CORE_SOURCES EXCLUDE REGEX "/src/(catalogue|cli|reference)/")
 list(FILTER TESSERA_CLI_SOURCES INCLUDE REGEX "/src/cli/")
 
+# One of two implementations of base/parallel.hpp.
+if(TESSERA_PLAIN_THREADS)
+  list(FILTER TESSERA_CORE_SOURCES EXCLUDE REGEX "/src/base/parallel\\.cpp")
+else()
+  list(FILTER TESSERA_CORE_SOURCES EXCLUDE REGEX "/src/base/parallel_plain\\.cpp")
+endif()
+
 add_library(tessera_core STATIC ${TESSERA_CORE_SOURCES})
 target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels tessera_openimageio TBB::tbb fmt::fmt
                       glm::glm nlohmann_json::nlohmann_json
