@@ -1,5 +1,6 @@
 // One primitive's vertices and triangles, as the file has them: in the mesh's own space, checked, not yet placed.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -19,7 +20,8 @@ struct GltfPrimitive {
   std::size_t vertex_count = 0;
   std::vector<std::uint32_t> triangles;                           // three vertices each, all below vertex_count
   SharedFloats positions;                                         // xyz, finite
-  SharedFloats normals, tangents, uv[2], colors;                  // null where absent; finite
+  SharedFloats normals, tangents, colors;                         // null where absent; finite
+  std::array<SharedFloats, 2> uv;                                 // the same
   std::vector<std::pair<SharedFloats, SharedFloats>> influences;  // joints and weights, four of each per vertex
 };
 
