@@ -28,7 +28,7 @@ class Cursor {
     const void* end = bytes_.empty() ? nullptr : std::memchr(bytes_.data(), 0, std::min<std::size_t>(left(), 256));
     if (end == nullptr) throw input_error("{}: EXR header holds a name without an end", name_);
     const std::size_t length = std::size_t(static_cast<const std::byte*>(end) - bytes_.data());
-    const std::string result(reinterpret_cast<const char*>(bytes_.data()), length);
+    std::string result(reinterpret_cast<const char*>(bytes_.data()), length);
     take(length + 1);
     return result;
   }

@@ -33,10 +33,11 @@ std::string percent_decoded(std::string_view text) {
 // RFC 4648, section 4; the padding may be missing.
 std::vector<std::byte> base64_decoded(std::string_view text, const std::string& file, const std::string& part) {
   static const auto values = [] {
-    std::array<signed char, 256> table{};
+    std::array<std::int16_t, 256> table{};
     table.fill(-1);
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (std::size_t i = 0; i < digits.size(); ++i) table[static_cast<unsigned char>(digits[i])] = (signed char)(i);
+    for (std::size_t i = 0; i < digits.size(); ++i)
+      table[static_cast<unsigned char>(digits[i])] = static_cast<std::int16_t>(i);
     return table;
   }();
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
