@@ -160,7 +160,12 @@ GoldenScene soup(bool orthographic) {
   Builder b(g.scene);
   Random random(orthographic ? 1 : 2);
   for (int m = 0; m < 7; ++m) {
-    Material material = surface(random.uniform(), random.uniform(), random.uniform(), m % 2, random.uniform());
+    // One statement each: compilers differ in the order in which they evaluate arguments.
+    const double roughness = random.uniform();
+    const double blue = random.uniform();
+    const double green = random.uniform();
+    const double red = random.uniform();
+    Material material = surface(red, green, blue, m % 2, roughness);
     material.double_sided = m % 3 != 0;
     b.begin_part(b.material(material));
     for (int k = 0; k < 300; ++k) {
@@ -172,9 +177,11 @@ GoldenScene soup(bool orthographic) {
         Point n = {random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
         const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         for (double& x : n) x /= length;
-        i = b.vertex({c[0] + scale * random.between(-1, 1), c[1] + scale * stretch * random.between(-1, 1),
-                      c[2] + scale * 0.5 * random.between(-1, 1)},
-                     n, random.uniform(), random.uniform());
+        const double texture_v = random.uniform();
+        const double texture_u = random.uniform();
+        const Point p = {c[0] + scale * random.between(-1, 1), c[1] + scale * stretch * random.between(-1, 1),
+                         c[2] + scale * 0.5 * random.between(-1, 1)};
+        i = b.vertex(p, n, texture_u, texture_v);
       }
       b.triangle(v[0], v[1], v[2]);
     }
