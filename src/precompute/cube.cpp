@@ -89,15 +89,16 @@ CubeLevel halved(const CubeLevel& level) {
   }
   parallel_for(std::size_t{6} * std::size_t(half), [&](std::size_t row) {
     const int face = int(row) / half, j = int(row) % half;
-    const float* above = level.face(face) + std::size_t(2 * j) * std::size_t(n) * 4;
+    const float* above = level.face(face) + 2 * std::size_t(j) * std::size_t(n) * 4;
     float* out = below.face(face) + std::size_t(j) * std::size_t(half) * 4;
     for (int i = 0; i < half; ++i, out += 4) {
       float sum[4] = {0, 0, 0, 0}, total = 0;
       for (int k = 0; k < 4; ++k) {
-        const int di = k & 1, dj = k >> 1;
-        const float q = 1.0f + squares[std::size_t(2 * i + di)] + squares[std::size_t(2 * j + dj)];
+        const int dj = k >> 1;
+        const std::size_t x = 2 * std::size_t(i) + std::size_t(k & 1), y = 2 * std::size_t(j) + std::size_t(dj);
+        const float q = 1.0f + squares[x] + squares[y];
         const float weight = 1.0f / (q * std::sqrt(q));
-        const float* texel = above + (std::size_t(dj) * std::size_t(n) + std::size_t(2 * i + di)) * 4;
+        const float* texel = above + (std::size_t(dj) * std::size_t(n) + x) * 4;
         for (int c = 0; c < 4; ++c) sum[c] += weight * texel[c];
         total += weight;
       }

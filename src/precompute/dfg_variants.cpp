@@ -68,7 +68,7 @@ void subtract_curvature(const std::vector<float>& from, std::vector<float>& node
 }
 
 std::uint32_t unorm16(float x) {  // from -1/64 to 1
-  return std::uint32_t(std::clamp((x + 1.0f / 64) * (65535 / (1 + 1.0f / 64)), 0.0f, 65535.0f) + 0.5f);
+  return std::uint32_t(std::floor(std::clamp((x + 1.0f / 64) * (65535 / (1 + 1.0f / 64)), 0.0f, 65535.0f) + 0.5f));
 }
 
 }  // namespace

@@ -39,7 +39,10 @@ std::uint32_t interleave(std::uint32_t x, std::uint32_t y) {
 }
 
 std::size_t place(SamplingLayout layout, int x, int y, int n) {
-  const auto tiled = [&](int t) { return std::size_t(((y / t) * (n / t) + x / t) * t * t + (y % t) * t + x % t); };
+  const auto tiled = [&](int t) {
+    const auto tile = std::size_t(y / t) * std::size_t(n / t) + std::size_t(x / t), side = std::size_t(t);
+    return (tile * side + std::size_t(y % t)) * side + std::size_t(x % t);
+  };
   switch (layout) {
     case SamplingLayout::tiled_4:
       return tiled(4);
