@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/chart/instructions.hpp"
 #include "reference/quadrature.hpp"
 
 namespace tessera::chart {
@@ -33,12 +32,5 @@ double albedo_of(const std::vector<DiffuseSample>& samples, const std::vector<do
 }
 
 Error error_of(const std::vector<double>& values) { return absolute_error(values, std::vector<double>(values.size())); }
-
-void add_costs(Session& session, Point& point, const std::string& term, std::vector<std::vector<float>> inputs) {
-  for (auto& plane : inputs) plane.resize(512, plane.at(0));
-  point.cost = time_term(session, term, inputs);
-  for (const LoopCount& loop : loop_counts())
-    if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
-}
 
 }  // namespace tessera::chart

@@ -23,9 +23,6 @@ double albedo_of(const std::vector<DiffuseSample>& samples, const std::vector<do
 /// Largest, mean and rms of these errors themselves.
 Error error_of(const std::vector<double>& values);
 
-/// Costs and instructions of a term, for the beginning of these inputs.
-void add_costs(Session& session, Point& point, const std::string& term, std::vector<std::vector<float>> inputs);
-
 /// Light shared between a specular and a diffuse lobe.
 Plot measure_split(Session& session);
 

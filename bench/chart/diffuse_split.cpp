@@ -103,10 +103,10 @@ Plot measure_split(Session& session) {
     Point& point = plot.points[k];
     point.method = error_of(lost[k]);
     point.extra["reciprocity error"] = error_of(turned[k]).max;
-    const Planes drawn = draw_inputs(method_of(couplings[k].term), 20000, 3);
+    const Planes drawn = catalogue::draw_inputs(catalogue::method_of(couplings[k].term), 20000, 3);
     point.arithmetic =
         relative_error(in_float(session, couplings[k].term, drawn), in_double(couplings[k].term, drawn), 0.05);
-    add_costs(session, point, couplings[k].term, drawn);
+    add_cost(session, point, couplings[k].term, drawn);
   }
   return plot;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 
 namespace tessera::chart {
@@ -39,13 +38,6 @@ double relative_difference(const std::string& term, double smooth, double mask, 
   return 0.5 * difference / total;
 }
 
-void time_point(Session& session, Point& point, const std::string& term, Planes inputs) {
-  for (auto& plane : inputs) plane.resize(512, plane.back());
-  point.cost = time_term(session, term, inputs);
-  for (const LoopCount& loop : loop_counts())
-    if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
-}
-
 Plot roughness_plot(Session& session) {
   Plot plot;
   plot.id = "blending-roughness";
@@ -66,7 +58,7 @@ Plot roughness_plot(Session& session) {
     point.method = absolute_error(values, std::vector<double>(values.size(), 0));
     const Planes in = lobes(0.3, 0.4, 512);
     point.arithmetic = relative_error(in_float(session, term, in), in_double(term, in), 1e-20);
-    time_point(session, point, term, in);
+    add_cost(session, point, term, in);
     plot.points.push_back(point);
   }
   return plot;
@@ -93,7 +85,7 @@ Plot f0_plot(Session& session) {
     const std::vector<double> exact = in_double(term, in);
     point.method = absolute_error(exact, truth);
     point.arithmetic = absolute_error(in_float(session, term, in), exact);
-    time_point(session, point, term, in);
+    add_cost(session, point, term, in);
     point.maps.push_back(map_over("F0 minus the exact one", "mask", spread(0, 1, 33), "base colour of both",
                                   spread(0, 1, 33), [&](double mask, double color) {
                                     const float c = float(color), m = float(mask);

@@ -53,7 +53,7 @@ Walks walk(Session& session) {
 
 Planes planes_of(const std::string& term, const std::vector<DiffuseSample>& samples, double parameter, double albedo) {
   Planes planes;
-  for (const Quantity quantity : method_of(term).inputs) {
+  for (const Quantity quantity : catalogue::method_of(term).inputs) {
     planes.emplace_back();
     for (const DiffuseSample& s : samples) {
       const double LoV = std::clamp(dot(s.l, s.v), -1.0, 1.0);
@@ -74,7 +74,7 @@ Planes planes_of(const std::string& term, const std::vector<DiffuseSample>& samp
 std::vector<double> lobe(const std::string& term, const std::vector<DiffuseSample>& samples, double parameter,
                          double albedo) {
   std::vector<double> f = in_double(term, planes_of(term, samples, parameter, albedo));
-  if (method_of(term).inputs[0] != Quantity::albedo)
+  if (catalogue::method_of(term).inputs[0] != Quantity::albedo)
     for (double& x : f) x *= albedo;
   return f;
 }
@@ -147,9 +147,9 @@ Plot measure_lobes(Session& session) {
     point.extra["largest albedo"] = 1 + *std::max_element(white.begin(), white.end());
     point.extra["reciprocity error"] = reciprocity_error(term);
     point.maps.push_back(map);
-    const Planes drawn = draw_inputs(method_of(term), session.quick ? 20000 : 200000, 3);
+    const Planes drawn = draw_inputs(catalogue::method_of(term), session.quick ? 20000 : 200000, 3);
     point.arithmetic = relative_error(in_float(session, term, drawn), in_double(term, drawn), 0.05);
-    add_costs(session, point, term, planes_of(term, hemisphere(0.4, 12, 0.4), 0.6, 0.8));
+    add_cost(session, point, term, planes_of(term, hemisphere(0.4, 12, 0.4), 0.6, 0.8));
     plot.points.push_back(point);
   }
   return plot;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 #include "reference/distribution.hpp"
 #include "reference/microfacet.hpp"
@@ -102,11 +101,7 @@ Family measure_distribution(Session& session) {
     const std::vector<double> found = in_float(session, term, grid.planes);
     point.method = relative_error(found, grid.truth, 1e-20);
     point.arithmetic = relative_error(found, in_double(term, grid.planes), 1e-20);
-    auto timed = grid.planes;
-    for (auto& plane : timed) plane.resize(512);
-    point.cost = time_term(session, term, timed);
-    for (const LoopCount& loop : loop_counts())
-      if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
+    add_cost(session, point, term, grid.planes);
     const std::vector<double> columns = spread(0, 3, 49), rows = spread_logarithmic(1e-4, 1, 49);
     const Grid seen = grid_of(term, rows, columns);
     const std::vector<double> values = in_float(session, term, seen.planes);

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 #include "reference/albedo.hpp"
 #include "reference/energy_table.hpp"
@@ -53,11 +52,7 @@ void add_cost_and_rounding(Session& session, const Choice& choice, const Planes&
   const int size = choice.table == nullptr ? 0 : choice.table->size;
   point.arithmetic = relative_error(in_float(session, choice.term, drawn, texels, size),
                                     chart::in_double(choice.term, drawn, texels, size), 1e-2);
-  Planes timed = drawn;
-  for (auto& plane : timed) plane.resize(512);
-  point.cost = time_term(session, choice.term, timed, texels, size);
-  for (const LoopCount& loop : loop_counts())
-    if (loop.function == choice.term) point.extra["instructions " + loop.isa] = loop.instructions;
+  add_cost(session, point, choice.term, drawn, texels, size);
 }
 
 // The truth over roughness (rows), NoV (columns) and F0.
@@ -108,7 +103,7 @@ Truth make_truth(bool quick) {
 Planes lobe_inputs(const std::string& term, const std::vector<float>& single, const std::vector<float>& NoL, double f0,
                    double mu, double alpha) {
   const std::size_t n = NoL.size();
-  const std::size_t inputs = method_of(term).inputs.size();
+  const std::size_t inputs = catalogue::method_of(term).inputs.size();
   Planes planes = {single};
   if (inputs == 1) return planes;
   planes.insert(planes.end(), {std::vector<float>(n, float(f0)), std::vector<float>(n, float(mu))});
@@ -185,7 +180,7 @@ Point measure_point(Session& session, const Choice& choice, const Truth& truth, 
   point.method = absolute_error(found, exact);
   point.extra["white furnace error"] = furnace;
   point.extra["largest gain"] = gain;
-  Planes drawn = catalogue::draw_inputs(method_of(choice.term), 4096, 1);
+  Planes drawn = catalogue::draw_inputs(catalogue::method_of(choice.term), 4096, 1);
   if (choice.term.rfind("split_", 0) == 0)  // A and B that a lobe can have
     for (std::size_t i = 0; i < drawn[0].size(); ++i) {
       drawn[1][i] = 0.3f + 0.7f * drawn[1][i];
@@ -220,7 +215,7 @@ Plot measure_loss(Session& session, const std::vector<Choice>& choices) {
     ErrorMap map{point.title, "NoV", "roughness", columns, rows, {}};
     for (std::size_t i = 0; i < exact.size(); ++i) map.values.push_back(found[i] - exact[i]);
     point.maps.push_back(map);
-    add_cost_and_rounding(session, choice, catalogue::draw_inputs(method_of(choice.term), 4096, 1), point);
+    add_cost_and_rounding(session, choice, catalogue::draw_inputs(catalogue::method_of(choice.term), 4096, 1), point);
     plot.points.push_back(point);
   }
   return plot;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 #include "reference/fresnel.hpp"
 #include "reference/metals.hpp"
@@ -98,11 +97,6 @@ std::vector<Curve> measured_metals() {
   return curves;
 }
 
-void add_instructions(Point& point, const std::string& function) {
-  for (const LoopCount& loop : loop_counts())
-    if (loop.function == function) point.extra["instructions " + loop.isa] = loop.instructions;
-}
-
 Plot measure_plot(Session& session, const std::vector<Curve>& curves, const std::string& row_name,
                   const std::vector<double>& rows, const std::vector<std::string>& terms) {
   Plot plot;
@@ -117,10 +111,7 @@ Plot measure_plot(Session& session, const std::vector<Curve>& curves, const std:
     const std::vector<double> exact = in_double(term, inputs);
     point.method = absolute_error(exact, truth);
     point.arithmetic = absolute_error(in_float(session, term, inputs), exact);
-    Planes timed = inputs;
-    for (auto& plane : timed) plane.resize(512);
-    point.cost = time_term(session, term, timed);
-    add_instructions(point, term);
+    add_cost(session, point, term, inputs);
     const std::vector<double> columns = spread(0, 1, 65), at = in_double(term, planes_of(curves, term, columns));
     ErrorMap map{"reflectance minus the exact one", "VoH", row_name, columns, rows, {}};
     for (std::size_t r = 0; r < curves.size(); ++r)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 #include "bench/chart/specular_lobe.hpp"
 #include "reference/distribution.hpp"
@@ -34,7 +33,7 @@ const std::vector<std::string> beckmann_terms = {"V_SmithBeckmannCorrelated", "V
                                                  "V_SmithBeckmannRationalSeparable", "V_SchlickBeckmann"};
 
 bool takes_azimuth(const std::string& term) {
-  const auto& inputs = method_of(term).inputs;
+  const auto& inputs = catalogue::method_of(term).inputs;
   return std::find(inputs.begin(), inputs.end(), Quantity::phi) != inputs.end();
 }
 
@@ -87,7 +86,7 @@ float value_of(Quantity quantity, const LobeSample& s, double roughness) {
 
 Planes planes_of(const std::string& term, const Cells& cells) {
   Planes planes;
-  for (const Quantity quantity : method_of(term).inputs) {
+  for (const Quantity quantity : catalogue::method_of(term).inputs) {
     planes.emplace_back();
     for (std::size_t i = 0; i < cells.samples.size(); ++i)
       planes.back().push_back(value_of(quantity, cells.samples[i], cells.sample_roughness[i]));
@@ -112,7 +111,7 @@ double constraint_error(const std::string& term, Microfacets microfacets) {
         const double half = std::cos(std::acos(mu) / 2);
         const LobeSample above{{std::sqrt(1 - mu * mu), 0, mu}, {0, 0, 1}, half, half, 0, 0};
         Planes planes;
-        for (const Quantity quantity : method_of(term).inputs)
+        for (const Quantity quantity : catalogue::method_of(term).inputs)
           planes.push_back({value_of(quantity, above, std::sqrt(alpha))});
         G1 = 4 * mu * in_double(term, planes)[0];
       }
@@ -123,14 +122,6 @@ double constraint_error(const std::string& term, Microfacets microfacets) {
       worst = std::max(worst, std::abs(area / mu - 1));
     }
   return worst;
-}
-
-void add_costs(Session& session, Point& point, const std::string& term, const Planes& planes) {
-  Planes timed = planes;
-  for (auto& plane : timed) plane.resize(512);
-  point.cost = time_term(session, term, timed);
-  for (const LoopCount& loop : loop_counts())
-    if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
 }
 
 void measure_exact(Session& session, Plot& plot, const Cells& cells, Microfacets microfacets,
@@ -159,7 +150,7 @@ void measure_exact(Session& session, Plot& plot, const Cells& cells, Microfacets
     point.extra["albedo error"] = error_of(albedo).max;
     point.extra["masking constraint error"] = constraint_error(term, microfacets);
     point.maps.push_back(map);
-    add_costs(session, point, term, planes);
+    add_cost(session, point, term, planes);
     if (takes_azimuth(term)) {
       point.note = "its azimuth is an atan2 besides, which is not in the cost";
       for (const auto& [isa, cost] : azimuth) point.extra["azimuth ns " + isa] = cost.ns;
@@ -192,7 +183,7 @@ Plot measure_walk(Session& session, const Plot& exact) {
                            100 * noise / std::max(lost, 1e-30));
   for (const std::string& term : ggx_terms) {
     Point point = *std::find_if(exact.points.begin(), exact.points.end(),
-                                [&](const Point& p) { return p.title == method_of(term).title; });
+                                [&](const Point& p) { return p.title == catalogue::method_of(term).title; });
     const std::vector<double> V = in_double(term, planes_of(term, cells));
     std::vector<double> moved;
     ErrorMap map{point.title + ": reflected light", "NoV", "roughness", cells.NoV, cells.roughness, {}};

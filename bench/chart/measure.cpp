@@ -7,7 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "kernels/terms.hpp"
+#include "bench/chart/instructions.hpp"
+#include "catalogue/run_term.hpp"
 
 namespace tessera::chart {
 namespace {
@@ -15,20 +16,10 @@ namespace {
 template <class Number>
 std::vector<double> run(const TermSpan<Number>* const* terms, const std::string& name,
                         const std::vector<std::vector<float>>& inputs, const float* table, int table_size, int output) {
-  const Term<Number>* term = find_term(terms, name.c_str());
-  if (term == nullptr || inputs.size() != std::size_t(term->inputs) || output >= term->outputs)
-    throw std::logic_error("term " + name);
-  const std::size_t count = inputs.at(0).size();
-  std::vector<std::vector<Number>> in, out(std::size_t(term->outputs), std::vector<Number>(count));
-  TermArgs<Number> args{};
+  std::vector<std::vector<Number>> in;
   for (const auto& plane : inputs) in.emplace_back(plane.begin(), plane.end());
-  for (std::size_t k = 0; k < in.size(); ++k) args.in[k] = in[k].data();
-  for (std::size_t k = 0; k < out.size(); ++k) args.out[k] = out[k].data();
-  args.count = count;
-  args.table = table;
-  args.table_size = table_size;
-  term->run(args);
-  const auto& chosen = out[std::size_t(output)];
+  const auto out = catalogue::run_term(catalogue::require_term(terms, name), in, table, table_size);
+  const auto& chosen = out.at(std::size_t(output));
   return {chosen.begin(), chosen.end()};
 }
 
@@ -65,14 +56,8 @@ Error absolute_error(const std::vector<double>& found, const std::vector<double>
   return relative_error(difference, one, 1);
 }
 
-const catalogue::Method& method_of(const std::string& term) {
-  for (const catalogue::Method& method : catalogue::methods())
-    if (method.term == term) return method;
-  throw std::logic_error("no method for term " + term);
-}
-
 Point describe(const std::string& term) {
-  const catalogue::Method& method = method_of(term);
+  const catalogue::Method& method = catalogue::method_of(term);
   Point point;
   for (const char c : term)
     point.id += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(static_cast<unsigned char>(c))) : '-';
@@ -82,6 +67,16 @@ Point describe(const std::string& term) {
   point.file = method.file;
   point.fails = method.fails;
   return point;
+}
+
+void add_cost(Session& session, Point& point, const std::string& term, std::vector<std::vector<float>> inputs,
+              const float* table, int table_size) {
+  constexpr std::size_t enough = 512;  // fewer, and the call would be timed, not the loop
+  for (auto& plane : inputs)
+    for (std::size_t i = 0; plane.size() < enough; ++i) plane.push_back(plane[i]);
+  point.cost = time_term(session, term, inputs, table, table_size);
+  for (const LoopCount& loop : loop_counts())
+    if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
 }
 
 std::vector<double> spread(double low, double high, int count) {

@@ -23,11 +23,12 @@ Error absolute_error(const std::vector<double>& found, const std::vector<double>
 /// |found - truth| / max(|truth|, floor); floor must be above 0 where truth may be 0.
 Error relative_error(const std::vector<double>& found, const std::vector<double>& truth, double floor);
 
-/// The catalogue's entry of a term; throws for one that is not there.
-const catalogue::Method& method_of(const std::string& term);
-
 /// A point with the catalogue's texts, nothing measured yet. id: the term's name in lower case, with hyphens.
 Point describe(const std::string& term);
+
+/// Times a term over all the inputs given, and adds how many instructions its loop has.
+void add_cost(Session&, Point&, const std::string& term, std::vector<std::vector<float>> inputs,
+              const float* table = nullptr, int table_size = 0);
 
 /// Evenly spaced values, ends included.
 std::vector<double> spread(double low, double high, int count);

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "base/aligned.hpp"
-#include "kernels/terms.hpp"
+#include "catalogue/run_term.hpp"
 
 namespace tessera::chart {
 namespace {
@@ -65,8 +65,7 @@ std::map<std::string, Cost> time_term(Session& session, const std::string& name,
                                       int table_size) {
   std::map<std::string, Cost> costs;
   for (const Kernels* kernels : session.kernels) {
-    const Term<float>* term = find_term(kernels->terms, name.c_str());
-    if (term == nullptr) throw std::logic_error("there is no term '" + name + "'");
+    const Term<float>* term = &catalogue::require_term(kernels->terms, name);
     if (static_cast<std::size_t>(term->inputs) > inputs.size() || inputs.empty() || inputs.front().empty())
       throw std::logic_error("the term '" + name + "' takes more inputs than it got");
     const std::size_t arrays = static_cast<std::size_t>(term->inputs + term->outputs);

@@ -28,7 +28,7 @@ struct Entry {
   bool own_test = false;
 };
 
-Method method_of(const Entry& e) {
+Method from_entry(const Entry& e) {
   Method m;
   m.family = "energy";
   m.term = e.term;
@@ -241,7 +241,7 @@ std::vector<Method> energy_methods() {
   };
   std::vector<Method> methods;
   methods.reserve(entries.size());
-  for (const Entry& entry : entries) methods.push_back(method_of(entry));
+  for (const Entry& entry : entries) methods.push_back(from_entry(entry));
   return methods;
 }
 

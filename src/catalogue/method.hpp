@@ -62,6 +62,9 @@ struct Method {
 /// All methods of all families, in the order in which a page lists them.
 const std::vector<Method>& methods();
 
+/// The entry of a term. Throws std::invalid_argument for one that is not there.
+const Method& method_of(const std::string& term);
+
 /// One list per family; methods() strings them together.
 std::vector<Method> distribution_methods();
 std::vector<Method> fresnel_methods();

@@ -1,4 +1,5 @@
 #include <iterator>
+#include <stdexcept>
 
 #include "catalogue/method.hpp"
 
@@ -15,6 +16,12 @@ const std::vector<Method>& methods() {
     return list;
   }();
   return all;
+}
+
+const Method& method_of(const std::string& term) {
+  for (const Method& method : methods())
+    if (method.term == term) return method;
+  throw std::invalid_argument("no method for the term " + term);
 }
 
 }  // namespace tessera::catalogue

@@ -11,8 +11,8 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "catalogue/method.hpp"
+#include "catalogue/run_term.hpp"
 #include "cli/parse.hpp"
-#include "kernels/terms.hpp"
 #include "reference/energy_table.hpp"
 #include "reference/quadrature.hpp"
 
@@ -24,11 +24,6 @@ using catalogue::Quantity;
 using Planes = std::vector<std::vector<float>>;
 
 constexpr int nodes = 40, table_size = 32;
-
-const Method& method_named(const std::string& term) {
-  const auto& all = catalogue::methods();
-  return *std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.term == term; });
-}
 
 // What a furnace knows how to fill in.
 bool can_feed(Quantity q, char kind) {
@@ -121,16 +116,9 @@ const std::vector<float>& energy_table() {
 }
 
 std::vector<float> evaluate(const Kernels& kernels, const std::string& name, const Planes& inputs, int output = 0) {
-  const Term<float>& term = *find_term(kernels.terms, name.c_str());
-  Planes out(std::size_t(term.outputs), std::vector<float>(inputs.at(0).size()));
-  TermArgs<float> args{};
-  for (std::size_t k = 0; k < inputs.size(); ++k) args.in[k] = inputs[k].data();
-  for (std::size_t k = 0; k < out.size(); ++k) args.out[k] = out[k].data();
-  args.count = inputs[0].size();
-  args.table = name.ends_with("_table") ? energy_table().data() : nullptr;
-  args.table_size = table_size;
-  term.run(args);
-  return out.at(std::size_t(output));
+  const float* table = name.ends_with("_table") ? energy_table().data() : nullptr;
+  return catalogue::run_term(catalogue::require_term(kernels.terms, name), inputs, table, table_size)
+      .at(std::size_t(output));
 }
 
 class Lobe {
@@ -183,7 +171,7 @@ class Lobe {
     std::vector<double> product = facets_.weight;
     for (const std::string& term : {choice_.distribution, choice_.masking, fresnel}) {
       Planes planes;
-      for (const Quantity q : method_named(term).inputs) planes.push_back(plane(q, f0));
+      for (const Quantity q : catalogue::method_of(term).inputs) planes.push_back(plane(q, f0));
       const std::vector<float> factor = evaluate(kernels_, term, planes);
       for (std::size_t i = 0; i < product.size(); ++i) product[i] *= double(factor[i]);
     }
@@ -194,7 +182,7 @@ class Lobe {
 
   double of_split() const {
     const double B = single("F_Schlick", 0), A = single("F_Schlick", 1) - B;
-    const auto& inputs = method_named(choice_.compensation).inputs;
+    const auto& inputs = catalogue::method_of(choice_.compensation).inputs;
     Planes planes = {{float(choice_.f0)}, {float(A)}, {float(B)}};
     for (std::size_t k = 3; k < inputs.size(); ++k) planes.push_back({value(inputs[k], choice_.f0)});
     return double(evaluate(kernels_, choice_.compensation, planes)[0]) +
@@ -214,7 +202,7 @@ class Lobe {
       }
     const auto with = [&](float value_of_lobe) {
       Planes planes;
-      for (const Quantity q : method_named(choice_.compensation).inputs)
+      for (const Quantity q : catalogue::method_of(choice_.compensation).inputs)
         planes.push_back(q == Quantity::NoL   ? l
                          : q == Quantity::any ? std::vector<float>(l.size(), value_of_lobe)
                                               : std::vector<float>(l.size(), value(q, choice_.f0)));

@@ -7,7 +7,6 @@
 
 #include "catalogue/method.hpp"
 #include "fuzz/random_bits.hpp"
-#include "kernels/print_method.hpp"
 #include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 
@@ -66,7 +65,7 @@ struct TermsFuzz : testing::TestWithParam<Method> {};
 TEST_P(TermsFuzz, FiniteAndNotNegative) {
   const Method& method = GetParam();
   const Kernels& kernels = *runnable_kernels().back();  // the others give the same bits: terms_test, kernel_hash
-  const Term<float>& term = *require_term(kernels.terms, method.term);
+  const Term<float>& term = require_term(kernels.terms, method.term);
   std::vector<std::vector<float>> in(method.inputs.size(), std::vector<float>(block));
   std::vector<std::vector<float>> out(std::size_t(term.outputs), std::vector<float>(block));
   TermArgs<float> args{};
@@ -92,14 +91,7 @@ TEST_P(TermsFuzz, FiniteAndNotNegative) {
   }
 }
 
-std::vector<Method> methods_to_fuzz() {
-  std::vector<Method> list;
-  for (const Method& method : catalogue::methods())
-    if (!method.own_test && !method.estimate) list.push_back(method);
-  return list;
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, TermsFuzz, testing::ValuesIn(methods_to_fuzz()),
+INSTANTIATE_TEST_SUITE_P(Methods, TermsFuzz, testing::ValuesIn(methods_to_draw()),
                          [](const auto& info) { return info.param.term; });
 
 }  // namespace

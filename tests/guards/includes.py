@@ -20,7 +20,7 @@ LAYERS = {
     "raster": ({"scene", "base"}, True),
     "precompute": ({"scene", "base"}, True),
     "reference": (set(), False),
-    "catalogue": (set(), False),
+    "catalogue": (set(), True),
     "frame": ({"raster", "precompute", "io", "scene", "base"}, True),
     "cli": ({"frame", "catalogue", "reference", "raster", "precompute", "io", "scene", "base"}, True),
 }

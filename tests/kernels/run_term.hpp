@@ -1,34 +1,41 @@
-// Runs a term, over float or double, on arrays.
+// Runs terms of the catalogue in tests: over float or double, drawn inputs, and messages that name them.
 #pragma once
-#include <stdexcept>
+#include <cstdio>
+#include <initializer_list>
+#include <ostream>
 #include <string>
 #include <vector>
 
-#include "kernels/terms.hpp"
+#include "catalogue/method.hpp"
+#include "catalogue/run_term.hpp"
+#include "kernels/interface.hpp"
+
+namespace tessera::catalogue {
+
+/// How GoogleTest names a method in its messages.
+inline void PrintTo(const Method& method, std::ostream* out) { *out << method.title; }
+
+}  // namespace tessera::catalogue
 
 namespace tessera::test {
 
-template <class Number>
-const Term<Number>* require_term(const TermSpan<Number>* const* spans, const std::string& name) {
-  const Term<Number>* term = find_term(spans, name.c_str());
-  if (term == nullptr) throw std::invalid_argument("no term " + name);
-  return term;
+using catalogue::require_term;
+using catalogue::run_term;
+
+/// The first output of a term, on one instruction set.
+inline std::vector<float> evaluate_term(const Kernels& kernels, const std::string& name,
+                                        std::initializer_list<const std::vector<float>*> inputs) {
+  std::vector<std::vector<float>> in;
+  for (const std::vector<float>* plane : inputs) in.push_back(*plane);
+  return run_term(require_term(kernels.terms, name), in)[0];
 }
 
-/// All outputs.
-template <class Number>
-std::vector<std::vector<Number>> run_term(const Term<Number>& term, const std::vector<std::vector<Number>>& inputs,
-                                          const float* table = nullptr, int table_size = 0) {
-  if (inputs.size() != std::size_t(term.inputs)) throw std::invalid_argument(std::string("inputs of ") + term.name);
-  std::vector<std::vector<Number>> out(std::size_t(term.outputs), std::vector<Number>(inputs.at(0).size()));
-  TermArgs<Number> args{};
-  for (std::size_t k = 0; k < inputs.size(); ++k) args.in[k] = inputs[k].data();
-  for (std::size_t k = 0; k < out.size(); ++k) args.out[k] = out[k].data();
-  args.count = inputs[0].size();
-  args.table = table;
-  args.table_size = table_size;
-  term.run(args);
-  return out;
+/// Those whose inputs may be drawn from their quantities' domains, and whose bits are the same everywhere.
+inline std::vector<catalogue::Method> methods_to_draw() {
+  std::vector<catalogue::Method> list;
+  for (const catalogue::Method& method : catalogue::methods())
+    if (!method.own_test && !method.estimate) list.push_back(method);
+  return list;
 }
 
 inline std::vector<std::vector<double>> widened(const std::vector<std::vector<float>>& inputs) {

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "catalogue/method.hpp"
-#include "kernels/print_method.hpp"
 #include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 
@@ -25,9 +24,9 @@ struct Accuracy : testing::TestWithParam<Method> {};
 TEST_P(Accuracy, WithinItsBound) {
   const Method& method = GetParam();
   const auto inputs = catalogue::draw_inputs(method, count, 1);
-  const auto exact = run_term(*require_term(precise_terms, method.term), widened(inputs));
+  const auto exact = run_term(require_term(precise_terms, method.term), widened(inputs));
   for (const Kernels* kernels : runnable_kernels()) {
-    const auto found = run_term(*require_term(kernels->terms, method.term), inputs);
+    const auto found = run_term(require_term(kernels->terms, method.term), inputs);
     for (std::size_t k = 0; k < found.size(); ++k)
       for (std::size_t i = 0; i < count; ++i) {
         const double expected = exact[k][i];
@@ -46,20 +45,13 @@ TEST_P(Accuracy, TheSameBitsOnEveryInstructionSet) {
   const auto inputs = catalogue::draw_inputs(method, count, 2);
   std::vector<std::vector<float>> first;
   for (const Kernels* kernels : runnable_kernels()) {
-    const auto found = run_term(*require_term(kernels->terms, method.term), inputs);
+    const auto found = run_term(require_term(kernels->terms, method.term), inputs);
     if (first.empty()) first = found;
     for (std::size_t k = 0; k < found.size(); ++k)
       for (std::size_t i = 0; i < count; ++i)
         ASSERT_EQ(std::bit_cast<std::uint32_t>(found[k][i]), std::bit_cast<std::uint32_t>(first[k][i]))
             << kernels->isa << " " << describe(inputs, i);
   }
-}
-
-std::vector<Method> methods_to_draw() {
-  std::vector<Method> list;
-  for (const Method& method : catalogue::methods())
-    if (!method.own_test && !method.estimate) list.push_back(method);
-  return list;
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Accuracy, testing::ValuesIn(methods_to_draw()),

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "kernels/shade/shade_scene.hpp"
 #include "reference/microfacet.hpp"

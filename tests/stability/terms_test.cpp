@@ -9,7 +9,6 @@
 #include <random>
 
 #include "catalogue/method.hpp"
-#include "kernels/print_method.hpp"
 #include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 
@@ -61,9 +60,9 @@ TEST_P(Extremes, WithinTheBoundAtEveryEdge) {
         }
   }
   if (inputs[0].empty()) return;  // nothing independent: distribution_other_test steps through those
-  const auto exact = run_term(*require_term(precise_terms, method.term), widened(inputs));
+  const auto exact = run_term(require_term(precise_terms, method.term), widened(inputs));
   for (const Kernels* kernels : runnable_kernels()) {
-    const auto found = run_term(*require_term(kernels->terms, method.term), inputs);
+    const auto found = run_term(require_term(kernels->terms, method.term), inputs);
     for (std::size_t o = 0; o < found.size(); ++o)
       for (std::size_t i = 0; i < found[o].size(); ++i) {
         ASSERT_TRUE(std::isfinite(found[o][i])) << kernels->isa << " " << describe(inputs, i);
@@ -76,14 +75,7 @@ TEST_P(Extremes, WithinTheBoundAtEveryEdge) {
   }
 }
 
-std::vector<Method> methods_to_push() {
-  std::vector<Method> list;
-  for (const Method& method : catalogue::methods())
-    if (!method.own_test && !method.estimate) list.push_back(method);
-  return list;
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, Extremes, testing::ValuesIn(methods_to_push()),
+INSTANTIATE_TEST_SUITE_P(Methods, Extremes, testing::ValuesIn(methods_to_draw()),
                          [](const auto& info) { return info.param.term; });
 
 }  // namespace

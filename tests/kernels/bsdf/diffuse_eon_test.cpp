@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
 #include "kernels/bsdf/diffuse_inputs.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/diffuse.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/albedo.hpp"
 #include "reference/fresnel.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/microfacet.hpp"
 #include "reference/quadrature.hpp"

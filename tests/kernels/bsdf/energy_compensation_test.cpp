@@ -30,7 +30,7 @@ const Table& table_of(int size) {
 }
 
 std::vector<float> evaluate(const std::string& name, const Planes& inputs, const Table& table = {}, int output = 0) {
-  const Term<float>& term = *require_term(runnable_kernels().back()->terms, name);
+  const Term<float>& term = require_term(runnable_kernels().back()->terms, name);
   return run_term(term, inputs, table.texels.data(), table.size)[std::size_t(output)];
 }
 
@@ -197,9 +197,9 @@ TEST(EnergyTerms, WithinTheirBoundsWhereTheirInputsAgree) {
         in[2][i] *= 1 - in[1][i];
       }
     const Table& table = table_of(32);
-    const auto exact = run_term(*require_term(precise_terms, method.term), widened(in), table.texels.data(), 32);
+    const auto exact = run_term(require_term(precise_terms, method.term), widened(in), table.texels.data(), 32);
     for (const Kernels* kernels : runnable_kernels()) {
-      const auto found = run_term(*require_term(kernels->terms, method.term), in, table.texels.data(), 32);
+      const auto found = run_term(require_term(kernels->terms, method.term), in, table.texels.data(), 32);
       for (std::size_t k = 0; k < found.size(); ++k)
         for (std::size_t i = 0; i < in[0].size(); ++i) {
           ASSERT_TRUE(std::isfinite(found[k][i]) && found[k][i] >= 0) << method.term << " " << describe(in, i);
@@ -220,7 +220,7 @@ TEST(EnergyLoss, IsTotal) {
       for (const Kernels* kernels : runnable_kernels())
         for (const char* term : {"Ems_GGX", "Ems_GGX_table"}) {
           const float x =
-              run_term(*require_term(kernels->terms, term), Planes{{mu}, {alpha}}, table.texels.data(), 32)[0][0];
+              run_term(require_term(kernels->terms, term), Planes{{mu}, {alpha}}, table.texels.data(), 32)[0][0];
           EXPECT_TRUE(x >= 0 && x <= 1) << term << " " << x << " at " << mu << ", " << alpha;
         }
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/microfacet.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
 #include "kernels/bsdf/masking_inputs.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/masking.hpp"
 

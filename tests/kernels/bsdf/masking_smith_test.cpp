@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
 #include "kernels/bsdf/masking_inputs.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/masking.hpp"
 #include "reference/microfacet.hpp"

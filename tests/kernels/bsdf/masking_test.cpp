@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
 #include "kernels/bsdf/distribution.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 #include "reference/microfacet.hpp"
 #include "reference/quadrature.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/bsdf/bsdf_terms.hpp"
+#include "kernels/run_term.hpp"
 #include "kernels/runnable_kernels.hpp"
 
 namespace tessera::test {

@@ -31,7 +31,7 @@ TEST(FunctionVariants, WithinTheCataloguesBounds) {
     if (method.own_test) continue;
     const auto inputs = catalogue::draw_inputs(method, 200000, 3);
     for (const Kernels* kernels : runnable_kernels()) {
-      const auto found = run_term(*require_term(kernels->terms, method.term), inputs)[0];
+      const auto found = run_term(require_term(kernels->terms, method.term), inputs)[0];
       for (std::size_t i = 0; i < found.size(); ++i) {
         const double expected = exact(method.term, inputs[0][i], inputs.size() > 1 ? inputs[1][i] : 0);
         const double scale = std::max(std::abs(expected), method.arithmetic_floor);
@@ -48,7 +48,7 @@ TEST(FunctionVariants, DegreesAreOrdered) {
   for (const catalogue::Method& method : catalogue::function_methods()) {
     if (method.own_test || method.estimate) continue;
     const auto inputs = catalogue::draw_inputs(method, 50000, 4);
-    const auto found = run_term(*require_term(precise_terms, method.term), widened(inputs))[0];
+    const auto found = run_term(require_term(precise_terms, method.term), widened(inputs))[0];
     for (std::size_t i = 0; i < found.size(); ++i) {
       const double expected = exact(method.term, inputs[0][i], inputs.size() > 1 ? inputs[1][i] : 0);
       worst[method.term] = std::max(
@@ -94,12 +94,12 @@ Lights draw_lights(std::size_t count) {
 
 TEST(SpecularLight, IsTheLobe) {
   const Lights lights = draw_lights(20000);
-  const auto in_double = run_term(*require_term(precise_terms, "specular_light"), widened(lights.inputs))[0];
+  const auto in_double = run_term(require_term(precise_terms, "specular_light"), widened(lights.inputs))[0];
   for (std::size_t i = 0; i < in_double.size(); ++i) ASSERT_NEAR(in_double[i] / lights.expected[i], 1, 3e-4);
   for (const Kernels* kernels : runnable_kernels()) {
     for (const auto& [term, bound] :
          {std::pair{"specular_light", 2e-6}, {"estimate_light_contracted", 2e-6}, {"estimate_light", 2e-4}}) {
-      const auto found = run_term(*require_term(kernels->terms, term), lights.inputs)[0];
+      const auto found = run_term(require_term(kernels->terms, term), lights.inputs)[0];
       for (std::size_t i = 0; i < found.size(); ++i)
         ASSERT_NEAR(found[i] / in_double[i], 1, bound) << kernels->isa << " " << term << describe(lights.inputs, i);
     }

@@ -56,7 +56,7 @@ struct Errors {
 Errors errors(const std::string& term, const DfgVariant& table = {}) {
   const Points& p = points();
   const auto found =
-      test::run_term(*test::require_term(select_kernels().terms, term), p.inputs, table.words.data(), table.size);
+      test::run_term(test::require_term(select_kernels().terms, term), p.inputs, table.words.data(), table.size);
   double sum[2] = {};
   Errors e;
   for (std::size_t k = 0; k < p.A.size(); ++k) {
@@ -153,7 +153,7 @@ TEST(DfgVariants, AnyInputBits) {
     for (const Kernels* kernels : built_kernels()) {
       if (!cpu_runs(*kernels)) continue;
       const auto found =
-          test::run_term(*test::require_term(kernels->terms, name), inputs, table.words.data(), table.size);
+          test::run_term(test::require_term(kernels->terms, name), inputs, table.words.data(), table.size);
       for (std::size_t c = 0; c < 2; ++c)
         for (std::size_t k = 0; k < found[c].size(); ++k) {
           ASSERT_EQ(std::bit_cast<std::uint32_t>(found[c][k]), std::bit_cast<std::uint32_t>(first[c][k])) << name;
