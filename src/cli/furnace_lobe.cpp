@@ -194,12 +194,15 @@ class Lobe {
     const auto& rule = reference::gauss_legendre(8);
     std::vector<float> l;
     std::vector<double> weight;
-    double low = 0;
-    for (double high = std::min(alpha() / 20, 1.0); low < 1; low = high, high = std::min(high * 2, 1.0))
+    double low = 0, high = std::min(alpha() / 20, 1.0);
+    while (low < 1) {
       for (std::size_t i = 0; i < 8; ++i) {
         l.push_back(float(low + (high - low) * rule.nodes[i]));
         weight.push_back(2 * std::numbers::pi * (high - low) * rule.weights[i] * double(l.back()));
       }
+      low = high;
+      high = std::min(high * 2, 1.0);
+    }
     const auto with = [&](float value_of_lobe) {
       Planes planes;
       for (const Quantity q : catalogue::method_of(choice_.compensation).inputs)

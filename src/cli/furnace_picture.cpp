@@ -30,8 +30,9 @@ void draw_spheres(Canvas& canvas, const FurnaceGrid& grid, int size) {
       double sum = 0;
       for (int s = 0; s < subsamples * subsamples; ++s) {
         // A margin of a twentieth around each sphere.
-        const double u = ((x % size + (s % subsamples + 0.5) / subsamples) / size * 2 - 1) / 0.95;
-        const double v = ((y + (double(s / subsamples) + 0.5) / subsamples) / size * 2 - 1) / 0.95;
+        const int column = s % subsamples, line = s / subsamples;
+        const double u = ((x % size + (column + 0.5) / subsamples) / size * 2 - 1) / 0.95;
+        const double v = ((y + (line + 0.5) / subsamples) / size * 2 - 1) / 0.95;
         const double cos2 = 1 - u * u - v * v;
         sum += cos2 > 0 ? grid.at_cosine(row, std::sqrt(cos2)) : 1;
       }
