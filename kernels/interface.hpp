@@ -278,10 +278,27 @@ struct ShadeArgs {
   std::uint32_t features;  // a superset of what the fragments use; the result does not depend on it
   float eye[4];            // as ViewTransform::eye
   const LightView* lights;
-  std::uint32_t light_count;
+  const std::uint32_t* light_list;  // the lights that count, by index, ascending (Kernels::cull_lights); null: all
+  std::uint32_t light_count;        // of the list, or of all
   EnvironmentView environment;
   DfgView dfg;
   float* radiance[3];  // out, SoA; not multiplied by alpha
+  // Where the next fragments will be read from memory: that many floats ahead in every plane lies what is fetched
+  // meanwhile. 0: the planes are in the cache already, as a tile's are.
+  std::uint32_t fetch_ahead;
+};
+
+// Lights as culling sees them: spheres. Arrays padded to max_lanes.
+struct LightBoundsView {
+  const float *x, *y, *z, *inverse_range_squared;  // 0: reaches everywhere
+  std::uint32_t count;
+};
+
+struct CullLightsArgs {
+  const float* position[3];  // of the fragments, as GBufferView::position
+  std::uint32_t count;
+  LightBoundsView lights;
+  std::uint32_t* out;  // room for lights.count, rounded up to max_lanes
 };
 
 struct BackgroundArgs {           // radiance of the environment along pixel rays
@@ -350,6 +367,14 @@ struct EncodeArgs {   // film -> what a display shows
   float exposure;     // factor, applied before the curve
   ToneCurve curve;
   std::uint8_t* out;  // sRGB-encoded RGBA, straight alpha (PNG's convention)
+};
+
+struct RgbaRowsArgs {        // radiance planes -> rows of an RGBA image, alpha 1
+  const float* radiance[3];  // row after row, each `width` long
+  int width, height;         // width a multiple of max_lanes
+  float* out;                // 64-byte aligned
+  std::size_t out_stride;    // floats from row to row; a multiple of 16
+  bool stream;               // past the caches: for a picture that is not read again soon
 };
 
 struct DownsampleArgs {  // one mip level from the one above it, box filter in linear light
@@ -421,6 +446,9 @@ struct Kernels {
   // entry/shade.cpp
   void (*shade)(const ShadeArgs&);
   void (*background)(const BackgroundArgs&);
+  // Indices of the lights whose range reaches the fragments' bounding box, ascending; how many. Any other light adds
+  // exactly nothing to any of the fragments.
+  std::uint32_t (*cull_lights)(const CullLightsArgs&);
 
   // entry/bake.cpp
   void (*dfg_table)(const DfgTableArgs&);
@@ -430,6 +458,7 @@ struct Kernels {
   // entry/image.cpp
   void (*encode)(const EncodeArgs&);
   void (*downsample)(const DownsampleArgs&);
+  void (*rgba_rows)(const RgbaRowsArgs&);
   void (*pack_half)(const float* in, std::uint16_t* out, std::size_t count);  // round to nearest even
   void (*unpack_half)(const std::uint16_t* in, float* out, std::size_t count);
 };

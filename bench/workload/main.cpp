@@ -40,17 +40,17 @@ int run(int argc, char** argv) {
   if (options["--workload"] != "w1") throw usage_error("--workload: only w1 is there");
   const Surroundings surroundings(folder, kernels);
   const BlockedGBuffer gbuffer(folder);
-  Film film;
+  const LargeBuffer film(std::size_t{4} * width * height);
   std::stringstream variants(options["--variant"]);
   for (std::string variant; std::getline(variants, variant, ',');) {
     const LightSet lights(folder, variant);
     Timing timing;
     run_with_threads(std::stoi(options["--threads"]), [&] {
-      timing =
-          measure([&] { shade_blocks(kernels, gbuffer, surroundings, lights, film); }, std::stod(options["--seconds"]));
+      timing = measure([&] { shade_blocks(kernels, gbuffer, surroundings, lights, film.data()); },
+                       std::stod(options["--seconds"]));
     });
     std::string path;
-    if (!options["--out"].empty()) save(path = options["--out"] + "_" + variant + ".f32", film.rgba());
+    if (!options["--out"].empty()) save(path = options["--out"] + "_" + variant + ".f32", film.data());
     fmt::print(
         R"({{"impl":"tessera-{}","workload":"w1","variant":"{}","pass":"shade","median_ms":{:.3f},"min_ms":{:.3f},)"
         R"("p90_ms":{:.3f},"cpu_median_ms":{:.3f},"cpu_min_ms":{:.3f},"frames":{},"out":"{}"}})"

@@ -1,5 +1,6 @@
 // Shading of G-buffers, and the visible background.
 #include "kernels/entry/entries.hpp"
+#include "kernels/light/cull.hpp"
 #include "kernels/light/environment.hpp"
 #include "kernels/shade/tile.hpp"
 
@@ -41,6 +42,10 @@ void background(const BackgroundArgs& args) {
     store(args.radiance[1] + i, radiance.y);
     store(args.radiance[2] + i, radiance.z);
   }
+}
+
+std::uint32_t cull_lights(const CullLightsArgs& args) {
+  return cull_lights_against(bounding_box(args.position, args.count), args.lights, args.out);
 }
 
 }  // namespace tessera::TESSERA_ISA

@@ -33,11 +33,13 @@ const Kernels kernels = {
     terms,
     shade,
     background,
+    cull_lights,
     dfg_table,
     equirect_to_cube,
     prefilter_cube,
     encode,
     downsample,
+    rgba_rows,
     pack_half,
     unpack_half,
 };

@@ -78,6 +78,18 @@ TESSERA_INLINE __m128i shift_left(__m128i x, int n) { return (__m128i)((__v4si)x
 TESSERA_INLINE __m128i shift_right(__m128i x, int n) { return (__m128i)((__v4si)x >> n); }
 TESSERA_INLINE __m128i shift_right_logical(__m128i x, int n) { return (__m128i)((__v4su)x >> n); }
 
+// The four numbers of lane 0, then those of lane 1 ...
+TESSERA_INLINE void interleave(__m128 a, __m128 b, __m128 c, __m128 d, __m128 (&out)[4]) {
+  const __m128 ab_low = _mm_unpacklo_ps(a, b), ab_high = _mm_unpackhi_ps(a, b);
+  const __m128 cd_low = _mm_unpacklo_ps(c, d), cd_high = _mm_unpackhi_ps(c, d);
+  out[0] = _mm_movelh_ps(ab_low, cd_low);
+  out[1] = _mm_movehl_ps(cd_low, ab_low);
+  out[2] = _mm_movelh_ps(ab_high, cd_high);
+  out[3] = _mm_movehl_ps(cd_high, ab_high);
+}
+TESSERA_INLINE void stream(float* p, __m128 x) { _mm_stream_ps(p, x); }
+TESSERA_INLINE void finish_streaming() { _mm_sfence(); }
+
 TESSERA_INLINE std::uint32_t mask_bits(__m128 m) { return static_cast<std::uint32_t>(_mm_movemask_ps(m)); }
 TESSERA_INLINE __m128 mask_from_bits(std::uint32_t b) {
   const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
@@ -117,6 +129,20 @@ TESSERA_INLINE void gather_pairs(const void* base, __m128i offset, __m128i& low,
   const __m128i b = _mm_unpacklo_epi32(load(_mm_extract_epi32(offset, 2)), load(_mm_extract_epi32(offset, 3)));
   low = _mm_unpacklo_epi64(a, b);
   high = _mm_unpackhi_epi64(a, b);
+}
+
+// 128 bits per lane, by bytes: out[k] holds the k-th 32 bits of each.
+TESSERA_INLINE void gather_quads(const void* base, const std::int32_t* byte, __m128i (&out)[4]) {
+  const auto load = [&](int lane) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(static_cast<const char*>(base) + byte[lane]));
+  };
+  const __m128i r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
+  const __m128i low01 = _mm_unpacklo_epi32(r0, r1), low23 = _mm_unpacklo_epi32(r2, r3);
+  const __m128i high01 = _mm_unpackhi_epi32(r0, r1), high23 = _mm_unpackhi_epi32(r2, r3);
+  out[0] = _mm_unpacklo_epi64(low01, low23);
+  out[1] = _mm_unpackhi_epi64(low01, low23);
+  out[2] = _mm_unpacklo_epi64(high01, high23);
+  out[3] = _mm_unpackhi_epi64(high01, high23);
 }
 
 // Sixteen bits in the low half of each lane. As F16C: a signalling NaN turns quiet and keeps its other bits.

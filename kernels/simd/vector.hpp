@@ -128,6 +128,24 @@ TESSERA_INLINE void store_half(std::uint16_t* p, Float x) { native::store_half(p
 TESSERA_INLINE void store_masked(float* p, Float x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
 TESSERA_INLINE void store_masked(std::int32_t* p, Int x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
 
+// a0 b0 c0 d0 a1 b1 ...; the second form past the caches, p on a 64-byte boundary, visible to other threads only after
+// finish_streaming.
+TESSERA_INLINE void store_interleaved(float* p, Float a, Float b, Float c, Float d) {
+  native::FloatRegister out[4];
+  native::interleave(a.raw(), b.raw(), c.raw(), d.raw(), out);
+  for (int k = 0; k < 4; ++k) store(p + k * Float::lanes, make_float(out[k]));
+}
+TESSERA_INLINE void stream_interleaved(float* p, Float a, Float b, Float c, Float d) {
+  native::FloatRegister out[4];
+  native::interleave(a.raw(), b.raw(), c.raw(), d.raw(), out);
+  for (int k = 0; k < 4; ++k) native::stream(p + k * Float::lanes, out[k]);
+}
+TESSERA_INLINE void finish_streaming() { native::finish_streaming(); }
+
+// Asks for the cache line at p, into the second-level cache: there it does not push out what is in use. p may be any
+// address.
+TESSERA_INLINE void prefetch(const float* p) { __builtin_prefetch(p, 0, 2); }
+
 // Writes the lanes in the mask one after another, nothing beyond them, and says how many.
 TESSERA_INLINE int compress_store(std::int32_t* out, Int x, Mask m) {
   return native::compress_store(out, x.raw(), m.raw());
@@ -160,6 +178,22 @@ TESSERA_INLINE IntPair gather_pairs(const void* base, Int byte_offset) {
   native::IntRegister low, high;
   native::gather_pairs(base, byte_offset.raw(), low, high);
   return {make_int(low), make_int(high)};
+}
+
+// The 128 bits there, as four numbers; the offsets, one per lane, in memory.
+struct IntQuad {
+  Int x, y, z, w;
+};
+TESSERA_INLINE IntQuad gather_quads(const void* base, const std::int32_t* byte_offsets) {
+  native::IntRegister out[4];
+  native::gather_quads(base, byte_offsets, out);
+  return {make_int(out[0]), make_int(out[1]), make_int(out[2]), make_int(out[3])};
+}
+TESSERA_INLINE IntQuad gather_quads(const void* base, Int byte_offset) {
+  alignas(64) std::int32_t offsets[Int::lanes];
+  store(offsets, byte_offset);
+  asm("" : "+m"(offsets));  // GCC would take them out of the register instead
+  return gather_quads(base, offsets);
 }
 
 // ----------------------------------------------------------------------------------------------------------- lanes
