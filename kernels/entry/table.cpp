@@ -33,6 +33,7 @@ const Kernels kernels = {
     terms,
     shade,
     background,
+    store_pixels,
     dfg_table,
     equirect_to_cube,
     prefilter_cube,

@@ -36,7 +36,7 @@ struct FragmentLanes {
 };
 
 /// Mean position of the covered samples. A fragment that covers none (which no rasterizer makes) counts as full.
-inline void mean_of_samples(const SamplePattern& pattern, const SampleMeans& means, Int samples, Float& x, Float& y) {
+TESSERA_INLINE void mean_of_samples(const SamplePattern& pattern, const SampleMeans& means, Int samples, Float& x, Float& y) {
   x = Float(means.x);
   y = Float(means.y);
   samples = samples & Int(static_cast<std::int32_t>(means.full));
@@ -56,12 +56,16 @@ inline void mean_of_samples(const SamplePattern& pattern, const SampleMeans& mea
 
 /// Fragments [begin, begin + lanes) of count. Lanes past the end repeat the last fragment.
 template <class Args>
-inline FragmentLanes load_fragments(const Args& args, const SampleMeans& means, std::uint32_t begin) {
-  const Int last(static_cast<std::int32_t>(args.count - 1 - begin));
-  const Int lane = select(lane_index() > last, last, lane_index());
+TESSERA_INLINE FragmentLanes load_fragments(const Args& args, const SampleMeans& means, std::uint32_t begin) {
   const Fragment* fragments = args.fragments + begin;
-  const Int triangle = gather_bytes(fragments, lane << 3);
-  const Int pixel_samples = gather_bytes(fragments, (lane << 3) + Int(4));
+  Fragment padded[Int::lanes];
+  const int left = static_cast<int>(min(std::int64_t{args.count - begin}, std::int64_t{Int::lanes}));
+  if (left < Int::lanes) {
+    for (int i = 0; i < Int::lanes; ++i) padded[i] = fragments[i < left ? i : left - 1];
+    fragments = padded;
+  }
+  const IntPair words = load_pairs(fragments);
+  const Int triangle = words.low, pixel_samples = words.high;
   const Int pixel = pixel_samples & Int(0xffff);
   FragmentLanes f;
   Float mean_x, mean_y;
@@ -71,26 +75,25 @@ inline FragmentLanes load_fragments(const Args& args, const SampleMeans& means, 
 
   f.one_triangle = all(triangle == Int(static_cast<std::int32_t>(fragments->triangle)));
   const Triangle* triangles = args.geometry.triangles;
-  for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      f.shared[i] = triangles[fragments->triangle].vertex[i];
-    } else {
-      const auto* base = reinterpret_cast<const std::int32_t*>(triangles->vertex + i);
-      f.vertex[i] = gather(base, triangle << 2);
-    }
+  if (f.one_triangle) {
+    for (int i = 0; i < 3; ++i) f.shared[i] = triangles[fragments->triangle].vertex[i];
+  } else {
+    Float record[4];
+    gather_quads(reinterpret_cast<const float*>(triangles), triangle << 2, record);
+    for (int i = 0; i < 3; ++i) f.vertex[i] = bits(record[i]);
   }
   return f;
 }
 
-inline void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
+TESSERA_INLINE void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
   for (int i = 0; i < 3; ++i) {
     if (f.one_triangle) {
       const float* at = geometry.positions + std::size_t{f.shared[i]} * 3;
       p[i] = {Float(at[0]), Float(at[1]), Float(at[2])};
     } else {
-      const Int index = f.vertex[i] * Int(3);
-      p[i] = {gather(geometry.positions, index), gather(geometry.positions + 1, index),
-              gather(geometry.positions + 2, index)};
+      Float at[3];
+      gather_triples(geometry.positions, f.vertex[i] * Int(3), at);
+      p[i] = {at[0], at[1], at[2]};
     }
   }
 }
@@ -101,7 +104,7 @@ static_assert(offsetof(VertexAttributes, tangent) == tangent_offset * sizeof(flo
 static_assert(offsetof(VertexAttributes, uv) == uv_offset * sizeof(float));
 static_assert(offsetof(VertexAttributes, color) == color_offset * sizeof(float));
 
-/// `size` floats from `offset` on, of the three vertices.
+/// `size` floats (at most four) from `offset` on, of the three vertices.
 template <int size>
 inline void fetch_attribute(const GeometryView& geometry, const FragmentLanes& f, int offset, Float (&out)[size][3]) {
   constexpr int stride = sizeof(VertexAttributes) / sizeof(float);
@@ -111,8 +114,9 @@ inline void fetch_attribute(const GeometryView& geometry, const FragmentLanes& f
       const float* at = base + std::size_t{f.shared[i]} * stride;
       for (int c = 0; c < size; ++c) out[c][i] = Float(at[c]);
     } else {
-      const Int index = f.vertex[i] * Int(stride);
-      for (int c = 0; c < size; ++c) out[c][i] = gather(base + c, index);
+      Float record[4];  // no offset is so far back that four floats would leave the vertex
+      gather_quads(base, f.vertex[i] * Int(stride), record);
+      for (int c = 0; c < size; ++c) out[c][i] = record[c];
     }
   }
 }
@@ -124,6 +128,36 @@ inline void interpolate_attribute(const GeometryView& geometry, const FragmentLa
   Float corners[size][3];
   fetch_attribute(geometry, f, offset, corners);
   for (int c = 0; c < size; ++c) out[c] = interpolate(b, corners[c][0], corners[c][1], corners[c][2]);
+}
+
+/// Twelve floats of the three vertices, SurfaceVertex's members in order.
+struct SurfaceCorners {
+  Float word[12][3];
+};
+static_assert(offsetof(SurfaceVertex, normal) == 3 * sizeof(float));
+static_assert(offsetof(SurfaceVertex, base_color) == 6 * sizeof(float));
+static_assert(offsetof(SurfaceVertex, metallic) == 9 * sizeof(float));
+
+TESSERA_INLINE void fetch_surfaces(const GeometryView& geometry, const FragmentLanes& f, SurfaceCorners& out) {
+  constexpr int size = 12;
+  const float* base = geometry.surfaces->position;
+  for (int i = 0; i < 3; ++i) {
+    if (f.one_triangle) {
+      const float* at = base + std::size_t{f.shared[i]} * size;
+      for (int c = 0; c < size; ++c) out.word[c][i] = Float(at[c]);
+    } else {
+      const Int word = f.vertex[i] * Int(size);
+      for (int c = 0; c < size; c += 4) {
+        Float record[4];
+        gather_quads(base + c, word, record);
+        for (int k = 0; k < 4; ++k) out.word[c + k][i] = record[k];
+      }
+    }
+  }
+}
+
+TESSERA_INLINE Float interpolate(const SurfaceCorners& corners, const Barycentrics<Float>& b, int word) {
+  return interpolate(b, corners.word[word][0], corners.word[word][1], corners.word[word][2]);
 }
 
 }  // namespace

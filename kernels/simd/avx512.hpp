@@ -87,6 +87,64 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m512i x, __mmask16 m) {
   return count;
 }
 
+// Records of four words, lane by lane -> one vector per word. a to d hold the records of lanes 4k to 4k + 3 in their
+// k-th quarter.
+TESSERA_INLINE void transpose_quads(__m512 a, __m512 b, __m512 c, __m512 d, __m512 (&out)[4]) {
+  const __m512 ab_low = _mm512_maskz_unpacklo_ps(0xffff, a, b), ab_high = _mm512_maskz_unpackhi_ps(0xffff, a, b);
+  const __m512 cd_low = _mm512_maskz_unpacklo_ps(0xffff, c, d), cd_high = _mm512_maskz_unpackhi_ps(0xffff, c, d);
+  out[0] = _mm512_maskz_shuffle_ps(0xffff, ab_low, cd_low, 0x44);
+  out[1] = _mm512_maskz_shuffle_ps(0xffff, ab_low, cd_low, 0xee);
+  out[2] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0x44);
+  out[3] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0xee);
+}
+template <class Load>
+TESSERA_INLINE __m512 every_fourth(const std::int32_t* word, const Load& load) {
+  const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(word[0])), load(word[4]), 1);
+  const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(word[8])), load(word[12]), 1);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+template <class Load>
+TESSERA_INLINE void gather_records(__m512i words, const Load& load, __m512 (&out)[4]) {
+  alignas(64) std::int32_t word[16];
+  _mm512_store_si512(word, words);
+  asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
+  transpose_quads(every_fourth(word, load), every_fourth(word + 1, load), every_fourth(word + 2, load),
+                  every_fourth(word + 3, load), out);
+}
+TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512 (&out)[4]) {
+  gather_records(words, [base](int word) { return _mm_loadu_ps(base + word); }, out);
+}
+TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512 (&out)[4]) {
+  gather_records(words, [base](int word) { return _mm_maskz_loadu_ps(7, base + word); }, out);
+}
+// Lane 4a + b <-> lane 4b + a.
+TESSERA_INLINE __m512 swap_quarters(__m512 x) {
+  const __m512i lane = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+  return _mm512_maskz_permutexvar_ps(0xffff, lane, x);
+}
+TESSERA_INLINE void load_quads(const float* p, __m512 (&out)[4]) {
+  transpose_quads(_mm512_loadu_ps(p), _mm512_loadu_ps(p + 16), _mm512_loadu_ps(p + 32), _mm512_loadu_ps(p + 48), out);
+  for (__m512& x : out) x = swap_quarters(x);
+}
+TESSERA_INLINE void store_quads(float* p, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
+  for (int i = 0; i < 4; ++i) _mm512_storeu_ps(p + 16 * i, record[i]);
+}
+// Past the caches; p on a multiple of 64 bytes.
+TESSERA_INLINE void stream_quads(float* p, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
+  for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + 16 * i, record[i]);
+}
+TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void load_pairs(const std::int32_t* p, __m512i& low, __m512i& high) {
+  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  const __m512i a = _mm512_loadu_si512(p), b = _mm512_loadu_si512(p + 16);
+  low = _mm512_permutex2var_epi32(a, even, b);
+  high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
+}
+
 }  // namespace native
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

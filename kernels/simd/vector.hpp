@@ -162,6 +162,45 @@ TESSERA_INLINE IntPair gather_pairs(const void* base, Int byte_offset) {
   return {make_int(low), make_int(high)};
 }
 
+// Records, one per lane -> one vector per word. The records start at base[word], word signed, of four floats or three;
+// wide loads and shuffles cost a third of what gathers do.
+namespace native {
+TESSERA_INLINE void wrap(const FloatRegister (&in)[4], Float* out, int count) {
+  for (int i = 0; i < count; ++i) out[i] = make_float(in[i]);
+}
+}  // namespace native
+TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[4]) {
+  native::FloatRegister r[4];
+  native::gather_quads(base, word.raw(), r);
+  native::wrap(r, out, 4);
+}
+TESSERA_INLINE void gather_triples(const float* base, Int word, Float (&out)[3]) {
+  native::FloatRegister r[4];
+  native::gather_triples(base, word.raw(), r);
+  native::wrap(r, out, 3);
+}
+// Of consecutive records.
+TESSERA_INLINE void load_quads(const float* p, Float (&out)[4]) {
+  native::FloatRegister r[4];
+  native::load_quads(p, r);
+  native::wrap(r, out, 4);
+}
+TESSERA_INLINE void store_quads(float* p, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::store_quads(p, r);
+}
+// Past the caches, where the machine can; p on a multiple of 64 bytes. end_streaming() before another thread reads.
+TESSERA_INLINE void stream_quads(float* p, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::stream_quads(p, r);
+}
+TESSERA_INLINE void end_streaming() { native::end_streaming(); }
+TESSERA_INLINE IntPair load_pairs(const void* p) {
+  native::IntRegister low, high;
+  native::load_pairs(static_cast<const std::int32_t*>(p), low, high);
+  return {make_int(low), make_int(high)};
+}
+
 // ----------------------------------------------------------------------------------------------------------- lanes
 
 alignas(64) constexpr std::int32_t lane_numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};

@@ -21,4 +21,28 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
+/// The same for memory that is always written before it is read: resize() leaves new elements as they are.
+template <class T>
+struct ScratchAllocator : AlignedAllocator<T> {
+  template <class U>
+  struct rebind {
+    using other = ScratchAllocator<U>;
+  };
+  using value_type = T;
+  ScratchAllocator() = default;
+  template <class U>
+  ScratchAllocator(const ScratchAllocator<U>&) {}
+  template <class U>
+  void construct(U* p) {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* p, Args&&... args) {
+    ::new (static_cast<void*>(p)) U(static_cast<Args&&>(args)...);
+  }
+};
+
+template <class T>
+using ScratchVector = std::vector<T, ScratchAllocator<T>>;
+
 }  // namespace tessera

@@ -11,7 +11,7 @@
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
 #include "cli/report.hpp"
-#include "cli/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/gbuffer_file.hpp"

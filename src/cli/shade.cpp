@@ -8,7 +8,7 @@
 #include "cli/machine.hpp"
 #include "cli/picture.hpp"
 #include "cli/report.hpp"
-#include "cli/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/gbuffer_file.hpp"

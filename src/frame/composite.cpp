@@ -24,7 +24,7 @@ void composite_pixel(const TileFragments& tile, std::size_t begin, std::size_t e
   std::fill_n(transmittance, samples, 1.0f);
   const float per_sample = 1.0f / static_cast<float>(samples);
   for (std::size_t i = begin; i < end; ++i) {
-    const std::uint32_t slot = tile.slots[i];
+    const std::uint32_t slot = tile.slot(i);
     const float a = alpha[slot];
     float visible = 0;
     for (std::uint32_t bits = tile.fragments[i].samples; bits != 0; bits &= bits - 1) {
@@ -54,7 +54,7 @@ void composite_surfaces(const TileFragments& tile, int samples, CompositeScratch
   for (std::size_t i = 0; i < count;) {
     const std::uint16_t pixel = tile.fragments[i].pixel;
     float* rgba = scratch.rgba.data() + std::size_t{4} * pixel;
-    const std::uint32_t slot = tile.slots[i];
+    const std::uint32_t slot = tile.slot(i);
     if (tile.fragments[i].samples == whole && alpha[slot] == 1) {  // nothing behind it shows
       for (int k = 0; k < 3; ++k) rgba[k] = radiance[k][slot];
       rgba[3] = 1;

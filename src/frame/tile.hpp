@@ -14,6 +14,14 @@
 
 namespace tessera {
 
+/// Lights and environment as kernels read them.
+struct LightingView {
+  std::span<const LightView> lights;
+  EnvironmentView environment{};  // read only if features has feature_environment
+  DfgView dfg{};
+  std::uint32_t features = 0;  // what the frame offers: feature_lights, feature_environment
+};
+
 /// What all tiles of a frame share.
 struct TileInputs {
   const Kernels* kernels;
@@ -21,11 +29,9 @@ struct TileInputs {
   ViewTransform view;
   SamplePattern pattern;
   std::span<const MaterialView> materials;  // per binding
-  std::span<const LightView> lights;
-  EnvironmentView environment;  // read only if frame_features has feature_environment
-  DfgView dfg;
-  std::uint32_t frame_features;
+  LightingView lighting;
   std::span<const SetupTriangle> setup;
+  bool all_planes;  // someone looks at the G-buffer: resolve what shading does not read, too
 };
 
 /// Adds the time since the last call to a stage.
@@ -58,6 +64,7 @@ class TileWorker {
  private:
   void draw_masked(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> list);
   void collect(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> blend);
+  bool one_binding(const TileInputs& in, std::uint32_t& binding) const;
   void group_by_binding(const TileInputs& in);
   void shade_runs(const TileInputs& in, int x, int y);
   void sort_transparent();
@@ -66,18 +73,19 @@ class TileWorker {
     std::uint32_t binding, first, count;
   };
 
-  AlignedVector<float> depth_;
-  AlignedVector<std::uint32_t> ids_;
-  std::vector<Fragment> candidates_;  // of masked triangles, then of transparent ones
+  ScratchVector<float> depth_;
+  ScratchVector<std::uint32_t> ids_;
+  ScratchVector<Fragment> candidates_;  // of masked triangles, then of transparent ones
   std::vector<float> alpha_;
   std::vector<std::uint8_t> keep_;
-  std::vector<Fragment> grouped_;  // by binding: what resolve reads
+  ScratchVector<Fragment> grouped_;  // by binding: what resolve reads, unless fragments are in order
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> run_of_binding_, fragment_run_;
+  std::vector<std::uint32_t> run_of_binding_;
+  ScratchVector<std::uint32_t> fragment_run_;
   std::size_t opaque_count_ = 0;  // fragments before this one are opaque or masked
   std::vector<std::uint64_t> sort_keys_;
-  std::vector<Fragment> sorted_;
-  std::vector<std::uint32_t> sorted_slots_;
+  ScratchVector<Fragment> sorted_;
+  ScratchVector<std::uint32_t> sorted_slots_;
 };
 
 /// Shades slots [first, first + count) of the planes.

@@ -1,0 +1,93 @@
+#include "frame/tile_loop.hpp"
+
+#include <numeric>
+
+#include "base/hash.hpp"
+
+namespace tessera {
+namespace {
+
+// The order in which tiles are taken must not show: tests shuffle it (Fisher-Yates over SplitMix64).
+void shuffle(std::vector<std::uint32_t>& order, std::uint64_t seed) {
+  const auto next = [&] {
+    std::uint64_t z = (seed += 0x9e3779b97f4a7c15ull);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+  };
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[next() % i]);
+}
+
+}  // namespace
+
+void TileLoop::begin(const TileGrid& grid, const RenderSettings& settings) {
+  while (workers_.size() < static_cast<std::size_t>(thread_count()))
+    workers_.push_back(std::make_unique<FrameWorker>());
+  for (const auto& worker : workers_) {
+    worker->fragments = worker->pixels = worker->empty = 0;
+    worker->tile.clock = {};
+  }
+  if (order_.size() == grid.count() && order_seed_ == settings.tile_order_seed) return;
+  order_.resize(grid.count());
+  std::iota(order_.begin(), order_.end(), 0u);
+  order_seed_ = settings.tile_order_seed;
+  if (order_seed_ != 0) shuffle(order_, order_seed_);
+}
+
+void TileLoop::end(const TileGrid& grid, FrameStatistics& statistics) const {
+  statistics.tiles = grid.count();
+  statistics.tile_stage_ms = {};
+  statistics.fragments = statistics.pixels_shaded = statistics.tiles_empty = 0;
+  for (const auto& worker : workers_) {
+    statistics.fragments += worker->fragments;
+    statistics.pixels_shaded += worker->pixels;
+    statistics.tiles_empty += worker->empty;
+    statistics.working_bytes += worker->tile.bytes();
+    for (std::size_t k = 0; k < statistics.tile_stage_ms.size(); ++k)
+      statistics.tile_stage_ms[k] += worker->tile.clock.ms()[k];
+  }
+}
+
+void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const BackgroundSource& background,
+                 const View& view, const Kernels& kernels, const FilmView& film) {
+  StageClock& clock = worker.tile.clock;
+  clock.start();
+  const TileFragments& tile = worker.tile.fragments;
+  worker.fragments += tile.fragments.size();
+  if (tile.whole) {
+    const std::array<float*, 3> radiance = tile.radiance();
+    kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
+                          rect.width,
+                          rect.height,
+                          film.at(rect.x, rect.y),
+                          std::size_t(film.width) * 4});
+    worker.pixels += tile.fragments.size();
+    clock.lap(TileStage::composite);
+    return;
+  }
+  composite_surfaces(tile, samples, worker.composite);
+  clock.lap(TileStage::composite);
+  composite_background(background, view, kernels, worker.composite,
+                       {rect.x, rect.y, rect.width, rect.height, film.at(rect.x, rect.y), std::size_t(film.width) * 4});
+  clock.lap(TileStage::background);
+  worker.empty += tile.fragments.empty();
+  for (std::size_t i = 0; i < tile.fragments.size(); ++i)
+    worker.pixels += i == 0 || tile.fragments[i].pixel != tile.fragments[i - 1].pixel;
+}
+
+std::uint64_t hash_of(const FilmView& film) {
+  std::vector<std::uint64_t> rows(static_cast<std::size_t>(film.height));
+  parallel_for(rows.size(), [&](std::size_t y) {
+    PixelHash hash;
+    hash.add(film.at(0, static_cast<int>(y)), std::size_t(film.width) * 4);
+    rows[y] = hash.value();
+  });
+  PixelHash hash;
+  for (const std::uint64_t row : rows) {
+    hash.add(static_cast<std::uint32_t>(row));
+    hash.add(static_cast<std::uint32_t>(row >> 32));
+  }
+  return hash.value();
+}
+
+}  // namespace tessera
