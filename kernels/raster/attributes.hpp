@@ -146,12 +146,9 @@ TESSERA_INLINE void fetch_surfaces(const GeometryView& geometry, const FragmentL
       const float* at = base + std::size_t{f.shared[i]} * size;
       for (int c = 0; c < size; ++c) out.word[c][i] = Float(at[c]);
     } else {
-      const Int word = f.vertex[i] * Int(size);
-      for (int c = 0; c < size; c += 4) {
-        Float record[4];
-        gather_quads(base + c, word, record);
-        for (int k = 0; k < 4; ++k) out.word[c + k][i] = record[k];
-      }
+      Float record[size];
+      gather_quads(base, f.vertex[i] * Int(size), record);
+      for (int c = 0; c < size; ++c) out.word[c][i] = record[c];
     }
   }
 }

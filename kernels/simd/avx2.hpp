@@ -117,22 +117,30 @@ TESSERA_INLINE void transpose_quads(__m256 a, __m256 b, __m256 c, __m256 d, __m2
   out[2] = _mm256_shuffle_ps(ab_high, cd_high, 0x44);
   out[3] = _mm256_shuffle_ps(ab_high, cd_high, 0xee);
 }
-template <class Load>
-TESSERA_INLINE void gather_records(__m256i words, const Load& load, __m256 (&out)[4]) {
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, __m256i words, const Load& load, __m256* out) {
   alignas(32) std::int32_t word[8];
   _mm256_store_si256(reinterpret_cast<__m256i*>(word), words);
   asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
-  __m256 r[4];
-  for (int i = 0; i < 4; ++i)
-    r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(load(word[i])), load(word[i + 4]), 1);
-  transpose_quads(r[0], r[1], r[2], r[3], out);
+  __m256 records[quads][4];
+  for (int i = 0; i < 4; ++i) {
+    const float *low = base + word[i], *high = base + word[i + 4];
+    for (int q = 0; q < quads; ++q)
+      records[q][i] = _mm256_insertf128_ps(_mm256_castps128_ps256(load(low + 4 * q)), load(high + 4 * q), 1);
+  }
+  for (int q = 0; q < quads; ++q) {
+    __m256 words_of_quad[4];
+    transpose_quads(records[q][0], records[q][1], records[q][2], records[q][3], words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
 }
-TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256 (&out)[4]) {
-  gather_records(words, [base](int word) { return _mm_loadu_ps(base + word); }, out);
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256* out) {
+  gather_records<quads>(base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
 }
-TESSERA_INLINE void gather_triples(const float* base, __m256i words, __m256 (&out)[4]) {
+TESSERA_INLINE void gather_triples(const float* base, __m256i words, __m256* out) {
   const __m128i three = _mm_setr_epi32(-1, -1, -1, 0);
-  gather_records(words, [=](int word) { return _mm_maskload_ps(base + word, three); }, out);
+  gather_records<1>(base, words, [=](const float* p) { return _mm_maskload_ps(p, three); }, out);
 }
 TESSERA_INLINE void load_quads(const float* p, __m256 (&out)[4]) {
   transpose_quads(_mm256_loadu_ps(p), _mm256_loadu_ps(p + 8), _mm256_loadu_ps(p + 16), _mm256_loadu_ps(p + 24), out);
@@ -157,6 +165,14 @@ TESSERA_INLINE void stream_quads(float* p, const __m256 (&in)[4]) {
   for (int i = 0; i < 4; ++i) _mm256_stream_ps(p + 8 * i, record[i]);
 }
 TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m256 (&in)[4]) {
+  __m256 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) {
+    _mm_storeu_ps(p + stride * i, _mm256_castps256_ps128(record[i]));
+    _mm_storeu_ps(p + stride * (4 + i), _mm256_extractf128_ps(record[i], 1));
+  }
+}
 TESSERA_INLINE void load_pairs(const std::int32_t* p, __m256i& low, __m256i& high) {
   const __m256 a = _mm256_loadu_ps(reinterpret_cast<const float*>(p));
   const __m256 b = _mm256_loadu_ps(reinterpret_cast<const float*>(p + 8));

@@ -98,24 +98,33 @@ TESSERA_INLINE void transpose_quads(__m512 a, __m512 b, __m512 c, __m512 d, __m5
   out[3] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0xee);
 }
 template <class Load>
-TESSERA_INLINE __m512 every_fourth(const std::int32_t* word, const Load& load) {
-  const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(word[0])), load(word[4]), 1);
-  const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(word[8])), load(word[12]), 1);
+TESSERA_INLINE __m512 four_records(const float* const (&p)[4], int word, const Load& load) {
+  const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[0] + word)), load(p[1] + word), 1);
+  const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[2] + word)), load(p[3] + word), 1);
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
-template <class Load>
-TESSERA_INLINE void gather_records(__m512i words, const Load& load, __m512 (&out)[4]) {
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load& load, __m512* out) {
   alignas(64) std::int32_t word[16];
   _mm512_store_si512(word, words);
   asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
-  transpose_quads(every_fourth(word, load), every_fourth(word + 1, load), every_fourth(word + 2, load),
-                  every_fourth(word + 3, load), out);
+  __m512 records[quads][4];
+  for (int i = 0; i < 4; ++i) {
+    const float* const p[4] = {base + word[i], base + word[i + 4], base + word[i + 8], base + word[i + 12]};
+    for (int q = 0; q < quads; ++q) records[q][i] = four_records(p, 4 * q, load);
+  }
+  for (int q = 0; q < quads; ++q) {
+    __m512 words_of_quad[4];
+    transpose_quads(records[q][0], records[q][1], records[q][2], records[q][3], words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
 }
-TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512 (&out)[4]) {
-  gather_records(words, [base](int word) { return _mm_loadu_ps(base + word); }, out);
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {
+  gather_records<quads>(base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
 }
-TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512 (&out)[4]) {
-  gather_records(words, [base](int word) { return _mm_maskz_loadu_ps(7, base + word); }, out);
+TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512* out) {
+  gather_records<1>(base, words, [](const float* p) { return _mm_maskz_loadu_ps(7, p); }, out);
 }
 // Lane 4a + b <-> lane 4b + a.
 TESSERA_INLINE __m512 swap_quarters(__m512 x) {
@@ -138,6 +147,17 @@ TESSERA_INLINE void stream_quads(float* p, const __m512 (&in)[4]) {
   for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + 16 * i, record[i]);
 }
 TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) {
+    const __m512 r = record[i];
+    _mm_storeu_ps(p + stride * i, __builtin_shufflevector(r, r, 0, 1, 2, 3));
+    _mm_storeu_ps(p + stride * (4 + i), __builtin_shufflevector(r, r, 4, 5, 6, 7));
+    _mm_storeu_ps(p + stride * (8 + i), __builtin_shufflevector(r, r, 8, 9, 10, 11));
+    _mm_storeu_ps(p + stride * (12 + i), __builtin_shufflevector(r, r, 12, 13, 14, 15));
+  }
+}
 TESSERA_INLINE void load_pairs(const std::int32_t* p, __m512i& low, __m512i& high) {
   const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
   const __m512i a = _mm512_loadu_si512(p), b = _mm512_loadu_si512(p + 16);

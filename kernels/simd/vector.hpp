@@ -162,32 +162,34 @@ TESSERA_INLINE IntPair gather_pairs(const void* base, Int byte_offset) {
   return {make_int(low), make_int(high)};
 }
 
-// Records, one per lane -> one vector per word. The records start at base[word], word signed, of four floats or three;
-// wide loads and shuffles cost a third of what gathers do.
-namespace native {
-TESSERA_INLINE void wrap(const FloatRegister (&in)[4], Float* out, int count) {
-  for (int i = 0; i < count; ++i) out[i] = make_float(in[i]);
-}
-}  // namespace native
-TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[4]) {
-  native::FloatRegister r[4];
-  native::gather_quads(base, word.raw(), r);
-  native::wrap(r, out, 4);
+// Records, one per lane -> one vector per word. A lane's record starts at base[word], word signed, and has as many
+// floats as `out` (a multiple of four), or three. Wide loads and shuffles cost a third of what gathers do.
+template <int words>
+TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[words]) {
+  static_assert(words % 4 == 0);
+  native::FloatRegister r[words];
+  native::gather_quads<words / 4>(base, word.raw(), r);
+  for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
 }
 TESSERA_INLINE void gather_triples(const float* base, Int word, Float (&out)[3]) {
   native::FloatRegister r[4];
   native::gather_triples(base, word.raw(), r);
-  native::wrap(r, out, 3);
+  for (int i = 0; i < 3; ++i) out[i] = make_float(r[i]);
 }
 // Of consecutive records.
 TESSERA_INLINE void load_quads(const float* p, Float (&out)[4]) {
   native::FloatRegister r[4];
   native::load_quads(p, r);
-  native::wrap(r, out, 4);
+  for (int i = 0; i < 4; ++i) out[i] = make_float(r[i]);
 }
 TESSERA_INLINE void store_quads(float* p, const Float (&in)[4]) {
   const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
   native::store_quads(p, r);
+}
+// Lane i's record to p + stride * i.
+TESSERA_INLINE void scatter_quads(float* p, int stride, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::scatter_quads(p, stride, r);
 }
 // Past the caches, where the machine can; p on a multiple of 64 bytes. end_streaming() before another thread reads.
 TESSERA_INLINE void stream_quads(float* p, const Float (&in)[4]) {

@@ -1,5 +1,8 @@
-// Arrays that kernels read and write: 64-byte aligned, so that a plane starts on a cache line.
+// Arrays that kernels read and write: 64-byte aligned, so that a plane starts on a cache line; large ones on huge pages,
+// where the system gives them to those who ask.
 #pragma once
+#include <sys/mman.h>
+
 #include <cstddef>
 #include <new>
 #include <vector>
@@ -9,12 +12,19 @@ namespace tessera {
 template <class T>
 struct AlignedAllocator {
   using value_type = T;
-  static constexpr std::align_val_t alignment{64};
+  static constexpr std::size_t huge_page = std::size_t{1} << 21;
   AlignedAllocator() = default;
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+  static std::align_val_t alignment(std::size_t n) {
+    return std::align_val_t{n * sizeof(T) >= 2 * huge_page ? huge_page : 64};
+  }
+  T* allocate(std::size_t n) {
+    void* p = ::operator new(n * sizeof(T), alignment(n));
+    if (n * sizeof(T) >= 2 * huge_page) madvise(p, n * sizeof(T), MADV_HUGEPAGE);  // a wish: no matter if it fails
+    return static_cast<T*>(p);
+  }
+  void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n)); }
   bool operator==(const AlignedAllocator&) const { return true; }
 };
 

@@ -1,5 +1,6 @@
 // The geometry stage: a scene's triangles -> set-up triangles and the tiles that each may touch.
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -23,7 +24,7 @@ class GeometryStage {
            std::span<const std::uint8_t> double_sided, std::span<const AlphaMode> alpha_modes, const Kernels& kernels);
 
   /// In submission order; a clipped triangle can have several, one after another.
-  [[nodiscard]] std::span<const SetupTriangle> setup() const { return {setup_.get(), setup_count_}; }
+  [[nodiscard]] std::span<const SetupTriangle> setup() const { return {setup_.data(), base_.back()}; }
   /// Column and row of a tile of the frame.
   [[nodiscard]] TileLists lists(int column, int row) const { return rows_[row].lists(column); }
   [[nodiscard]] const GeometryCounters& counters() const { return counters_; }
@@ -33,26 +34,26 @@ class GeometryStage {
 
  private:
   struct Chunk {
-    std::vector<SetupTriangle> setup;
+    ScratchVector<SetupTriangle> overflow;  // set-up that did not fit behind that of the chunks before it
     GeometryCounters counters;
   };
   struct Scratch {
     std::unique_ptr<SetupTriangle[]> setup;
     BinScratch bins;
   };
-  void set_up_chunk(const SetupTrianglesArgs& all, std::size_t chunk, std::span<const AlphaMode> alpha_modes,
-                    const Kernels& kernels);
+  void set_up_chunk(const SetupTrianglesArgs& all, std::size_t chunk, Scratch& scratch, const Kernels& kernels);
   void join_chunks();
 
   TileScreen screen_;
-  AlignedVector<ProjectedVertex> vertices_;
+  ScratchVector<ProjectedVertex> vertices_;
   std::vector<Chunk> chunks_;
   std::vector<ChunkBins> chunk_bins_;
-  std::vector<std::uint32_t> base_;  // first set-up triangle of each chunk, and the end
+  std::span<const AlphaMode> alpha_modes_;  // empty: all are opaque
+  std::vector<std::uint32_t> base_{0};      // first set-up triangle of each chunk, and the end
+  std::atomic<std::size_t> next_chunk_{0}, placed_{0};
   std::vector<RowBins> rows_;
   std::vector<Scratch> scratch_;  // per thread
-  std::unique_ptr<SetupTriangle[]> setup_;
-  std::size_t setup_count_ = 0, setup_capacity_ = 0;
+  ScratchVector<SetupTriangle> setup_;
   GeometryCounters counters_{};
   std::uint64_t binned_ = 0;
 };
