@@ -85,6 +85,32 @@ TESSERA_INLINE FragmentLanes load_fragments(const Args& args, const SampleMeans&
   return f;
 }
 
+/// What later fragments read, fetched while earlier ones are worked on: triangles some vectors ahead, their vertices a
+/// vector ahead. Neighbours mostly see the same triangle.
+TESSERA_INLINE void prefetch_fragments(const ResolveArgs& args, std::uint32_t at) {
+  constexpr auto lanes = std::uint32_t(Int::lanes);
+  constexpr std::uint32_t far = lanes >= 16 ? 3 * lanes : 48, near = lanes >= 16 ? lanes : 16;
+  const auto changes = [&](std::uint32_t begin) {  // lanes whose triangle is not that of the fragment before
+    if (begin + lanes > args.count) return 0u;
+    const Int here = load_pairs(args.fragments + begin).low, before = load_pairs(args.fragments + begin - 1).low;
+    return to_bits(here != before);
+  };
+  for (std::uint32_t left = changes(at + far); left != 0; left &= left - 1)
+    __builtin_prefetch(args.geometry.triangles + args.fragments[at + far + __builtin_ctz(left)].triangle);
+  for (std::uint32_t left = changes(at + near); left != 0; left &= left - 1) {
+    const Triangle& triangle = args.geometry.triangles[args.fragments[at + near + __builtin_ctz(left)].triangle];
+    for (const std::uint32_t vertex : triangle.vertex) {
+      if (args.geometry.surfaces != nullptr) {
+        __builtin_prefetch(args.geometry.surfaces + vertex);
+        __builtin_prefetch(reinterpret_cast<const char*>(args.geometry.surfaces + vertex + 1) - 1);
+      } else {
+        __builtin_prefetch(args.geometry.positions + std::size_t{3} * vertex);
+        __builtin_prefetch(args.geometry.attributes + vertex);
+      }
+    }
+  }
+}
+
 TESSERA_INLINE void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
   for (int i = 0; i < 3; ++i) {
     if (f.one_triangle) {

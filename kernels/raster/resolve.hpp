@@ -106,6 +106,7 @@ inline void resolve_run(const ResolveArgs& args) {
   MaterialSamplers samplers;
   if constexpr (textured) prepare_samplers(material, slot_count, samplers);
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
+    prefetch_fragments(args, at);
     const FragmentLanes f = load_fragments(args, means, at);
     Vec3<Float> corners[3];
     fetch_positions(args.geometry, f, corners);
@@ -128,6 +129,7 @@ inline void resolve_surface_run(const ResolveArgs& args) {
   const MaterialView& material = *args.material;
   const SampleMeans means = sample_means(args.pattern);
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
+    prefetch_fragments(args, at);
     const FragmentLanes f = load_fragments(args, means, at);
     SurfaceCorners v;
     fetch_surfaces(args.geometry, f, v);

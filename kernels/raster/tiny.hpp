@@ -118,12 +118,25 @@ TESSERA_INLINE void rasterize_tiny(const VisibilityTile& tile, const SetupVector
   }
 }
 
+/// Lists jump through the frame's set-up: what is drawn soon is fetched now.
+TESSERA_INLINE void prefetch_setup(const RasterizeArgs& args, std::uint32_t first) {
+  constexpr std::uint32_t ahead = 24;
+  const std::uint32_t begin = min(std::int64_t{first + ahead}, std::int64_t{args.count});
+  const std::uint32_t end = min(std::int64_t{begin + Int::lanes}, std::int64_t{args.count});
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const SetupTriangle* t = args.triangles + args.list[i];
+    __builtin_prefetch(t);
+    __builtin_prefetch(reinterpret_cast<const char*>(t + 1) - 1);
+  }
+}
+
 /// A list of triangles, a vector at a time: tiny ones together, the others one by one.
 template <int N>
 TESSERA_INLINE void rasterize_list(const RasterizeArgs& args, const SamplePattern& pattern, const SampleExtent& extent,
                                    RasterCounters& counters) {
   const VisibilityTile& tile = args.tile;
   for (std::uint32_t first = 0; first < args.count; first += std::uint32_t(Int::lanes)) {
+    prefetch_setup(args, first);
     const std::uint32_t* list = args.list + first;
     const auto count = static_cast<int>(min(std::int64_t{args.count - first}, std::int64_t{Int::lanes}));
     alignas(64) std::int32_t index[Int::lanes];
