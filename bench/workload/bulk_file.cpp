@@ -13,7 +13,8 @@ BulkFile::BulkFile(std::string path, std::size_t record_bytes)
   struct stat status {};
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw input_error("{}: cannot be opened", path_);
   const auto bytes = static_cast<std::size_t>(status.st_size);
-  if (bytes % record_bytes != 0) throw input_error("{}: {} bytes are not whole records of {}", path_, bytes, record_bytes);
+  if (bytes % record_bytes != 0)
+    throw input_error("{}: {} bytes are not whole records of {}", path_, bytes, record_bytes);
   records_ = bytes / record_bytes;
 }
 

@@ -4,8 +4,7 @@ namespace tessera::workload {
 
 FullFrame::FullFrame(const Mesh& mesh, const Surroundings& surroundings, const LightSet& lights, const View& view)
     : scene_(mesh.scene()), view_(view) {
-  scene_.lighting = {lights.lights, surroundings.environment, surroundings.dfg,
-                     feature_lights | feature_environment};
+  scene_.lighting = {lights.lights, surroundings.environment, surroundings.dfg, feature_lights | feature_environment};
   settings_.width = view.transform.width;
   settings_.height = view.transform.height;
   settings_.samples = 1;
@@ -14,7 +13,7 @@ FullFrame::FullFrame(const Mesh& mesh, const Surroundings& surroundings, const L
 }
 
 void FullFrame::render(const Kernels& kernels, float* rgba) {
-  statistics_ = {};
+  statistics_.clear();
   BackgroundSource black;
   pipeline_.render(scene_, view_, settings_, black, kernels, {rgba, settings_.width, settings_.height}, statistics_);
 }

@@ -27,16 +27,21 @@ inline SampleMeans sample_means(const SamplePattern& pattern) {
   return {(1u << pattern.count) - 1u, static_cast<float>(x) * scale, static_cast<float>(y) * scale};
 }
 
+inline constexpr int few_triangles = 4;
+
 /// The lanes' fragments, the points at which they are shaded, and the vertices of their triangles.
 struct FragmentLanes {
   Float x, y;  // pixels, in the window
+  // Where lanes see few different triangles, those triangles' vertices are read once each and spread over the lanes.
+  int triangles;                           // 1 to few_triangles; 0: more, gather by `vertex`
+  std::uint32_t shared[few_triangles][3];  // vertices of each
+  Mask sees[few_triangles];                // lanes
   Int vertex[3];
-  bool one_triangle;  // all lanes see the same one: its vertices are read once
-  std::uint32_t shared[3];
 };
 
 /// Mean position of the covered samples. A fragment that covers none (which no rasterizer makes) counts as full.
-TESSERA_INLINE void mean_of_samples(const SamplePattern& pattern, const SampleMeans& means, Int samples, Float& x, Float& y) {
+TESSERA_INLINE void mean_of_samples(const SamplePattern& pattern, const SampleMeans& means, Int samples, Float& x,
+                                    Float& y) {
   x = Float(means.x);
   y = Float(means.y);
   samples = samples & Int(static_cast<std::int32_t>(means.full));
@@ -73,16 +78,45 @@ TESSERA_INLINE FragmentLanes load_fragments(const Args& args, const SampleMeans&
   f.x = to_float(Int(args.tile_x) + (pixel & Int(tile_size - 1))) + mean_x;
   f.y = to_float(Int(args.tile_y) + shift_right_logical(pixel, tile_shift)) + mean_y;
 
-  f.one_triangle = all(triangle == Int(static_cast<std::int32_t>(fragments->triangle)));
   const Triangle* triangles = args.geometry.triangles;
-  if (f.one_triangle) {
-    for (int i = 0; i < 3; ++i) f.shared[i] = triangles[fragments->triangle].vertex[i];
-  } else {
-    Float record[4];
-    gather_quads(reinterpret_cast<const float*>(triangles), triangle << 2, record);
-    for (int i = 0; i < 3; ++i) f.vertex[i] = bits(record[i]);
+  f.triangles = 0;
+  std::uint32_t unseen = to_bits(Mask(true));
+  for (int n = 0; n < few_triangles; ++n) {
+    const std::uint32_t of_lane = fragments[__builtin_ctz(unseen)].triangle;
+    f.sees[n] = triangle == Int(of_lane);
+    for (int i = 0; i < 3; ++i) f.shared[n][i] = triangles[of_lane].vertex[i];
+    unseen &= ~to_bits(f.sees[n]);
+    if (unseen == 0) {
+      f.triangles = n + 1;
+      return f;
+    }
   }
+  Float record[4];
+  gather_quads(reinterpret_cast<const float*>(triangles), triangle << 2, record);
+  for (int i = 0; i < 3; ++i) f.vertex[i] = bits(record[i]);
   return f;
+}
+
+/// `size` floats of vertex i of the lanes' triangles, of which there are n: records of `stride` floats at base.
+template <int n, int size>
+TESSERA_INLINE void spread_few(const FragmentLanes& f, const float* base, std::size_t stride, int i,
+                               Float (&out)[size]) {
+  const float* at[n];
+  for (int k = 0; k < n; ++k) at[k] = base + f.shared[k][i] * stride;
+  for (int c = 0; c < size; ++c) {
+    out[c] = Float(at[0][c]);
+    for (int k = 1; k < n; ++k) out[c] = select(f.sees[k], Float(at[k][c]), out[c]);
+  }
+}
+
+template <int size>
+TESSERA_INLINE void spread_records(const FragmentLanes& f, const float* base, std::size_t stride, int i,
+                                   Float (&out)[size]) {
+  static_assert(few_triangles == 4);
+  if (f.triangles == 1) return spread_few<1>(f, base, stride, i, out);
+  if (f.triangles == 2) return spread_few<2>(f, base, stride, i, out);
+  if (f.triangles == 3) return spread_few<3>(f, base, stride, i, out);
+  spread_few<4>(f, base, stride, i, out);
 }
 
 /// What later fragments read, fetched while earlier ones are worked on: triangles some vectors ahead, their vertices a
@@ -113,14 +147,13 @@ TESSERA_INLINE void prefetch_fragments(const ResolveArgs& args, std::uint32_t at
 
 TESSERA_INLINE void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
   for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      const float* at = geometry.positions + std::size_t{f.shared[i]} * 3;
-      p[i] = {Float(at[0]), Float(at[1]), Float(at[2])};
+    Float at[3];
+    if (f.triangles != 0) {
+      spread_records(f, geometry.positions, 3, i, at);
     } else {
-      Float at[3];
       gather_triples(geometry.positions, f.vertex[i] * Int(3), at);
-      p[i] = {at[0], at[1], at[2]};
     }
+    p[i] = {at[0], at[1], at[2]};
   }
 }
 
@@ -136,9 +169,10 @@ inline void fetch_attribute(const GeometryView& geometry, const FragmentLanes& f
   constexpr int stride = sizeof(VertexAttributes) / sizeof(float);
   const float* base = geometry.attributes->normal + offset;
   for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      const float* at = base + std::size_t{f.shared[i]} * stride;
-      for (int c = 0; c < size; ++c) out[c][i] = Float(at[c]);
+    if (f.triangles != 0) {
+      Float at[size];
+      spread_records(f, base, stride, i, at);
+      for (int c = 0; c < size; ++c) out[c][i] = at[c];
     } else {
       Float record[4];  // no offset is so far back that four floats would leave the vertex
       gather_quads(base, f.vertex[i] * Int(stride), record);
@@ -168,14 +202,13 @@ TESSERA_INLINE void fetch_surfaces(const GeometryView& geometry, const FragmentL
   constexpr int size = 12;
   const float* base = geometry.surfaces->position;
   for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      const float* at = base + std::size_t{f.shared[i]} * size;
-      for (int c = 0; c < size; ++c) out.word[c][i] = Float(at[c]);
+    Float record[size];
+    if (f.triangles != 0) {
+      spread_records(f, base, size, i, record);
     } else {
-      Float record[size];
       gather_quads(base, f.vertex[i] * Int(size), record);
-      for (int c = 0; c < size; ++c) out.word[c][i] = record[c];
     }
+    for (int c = 0; c < size; ++c) out.word[c][i] = record[c];
   }
 }
 

@@ -25,8 +25,8 @@ TESSERA_INLINE void store_vector(float* const (&planes)[3], std::uint32_t at, Fl
 }
 
 /// World position and reversed depth.
-TESSERA_INLINE void resolve_position(const ResolveArgs& args, const Barycentrics<Float>& b, const Vec3<Float> (&corners)[3],
-                             std::uint32_t at) {
+TESSERA_INLINE void resolve_position(const ResolveArgs& args, const Barycentrics<Float>& b,
+                                     const Vec3<Float> (&corners)[3], std::uint32_t at) {
   const Vec3<Float> p = interpolate(b, corners);
   store_vector(args.out.position, at, finite_or_zero(p.x), finite_or_zero(p.y), finite_or_zero(p.z));
   if (args.out.depth != nullptr)
@@ -59,7 +59,7 @@ TESSERA_INLINE Vec3<Float> unit_normal(const Vec3<Float>& interpolated, const Ve
 
 /// A surface seen from behind is the front's mirror image: the whole frame turns round.
 TESSERA_INLINE void store_normal(const ResolveArgs& args, const Vec3<Float>& normal, const Barycentrics<Float>& b,
-                         std::uint32_t at) {
+                                 std::uint32_t at) {
   const Float side = args.material->double_sided ? select(b.back, Float(-1), Float(1)) : Float(1);
   store_vector(args.out.normal, at, normal.x * side, normal.y * side, normal.z * side);
 }
@@ -76,8 +76,8 @@ inline Vec3<Float> resolve_normal(const ResolveArgs& args, const MaterialSampler
   if constexpr (textured) {
     Float texel[4];
     if (sample_slot<channel_r | channel_g | channel_b>(material, samplers, samples, normal_slot, texel)) {
-      const TangentFrame<Float> frame = resolve_frame(args, f, b, samples.uv, corners[1] - corners[0],
-                                                      corners[2] - corners[0], raw, normal);
+      const TangentFrame<Float> frame =
+          resolve_frame(args, f, b, samples.uv, corners[1] - corners[0], corners[2] - corners[0], raw, normal);
       return perturb_normal(frame, texel[0], texel[1], texel[2], Float(material.normal_scale), normal);
     }
   }
@@ -85,7 +85,7 @@ inline Vec3<Float> resolve_normal(const ResolveArgs& args, const MaterialSampler
 }
 
 TESSERA_INLINE void store_material(const ResolveArgs& args, const Float (&color)[4], const SurfaceScalars& s,
-                           const Float (&glow)[3], std::uint32_t at) {
+                                   const Float (&glow)[3], std::uint32_t at) {
   const GBufferView& out = args.out;
   store_vector(out.base_color, at, non_negative(color[0]), non_negative(color[1]), non_negative(color[2]));
   if (out.alpha != nullptr)

@@ -104,8 +104,8 @@ TESSERA_INLINE void rasterize_tiny(const VisibilityTile& tile, const SetupVector
         if (covered != 0) {
           // As DepthPlane.
           const Float from_x = to_float(x + Int(dx << subpixel_bits)) * Float(1.0f / 256);
-          const Float depth = clamp(mul_add(t.depth_dy, from_y, mul_add(t.depth_dx, from_x, t.depth)), t.depth_min,
-                                    t.depth_max);
+          const Float depth =
+              clamp(mul_add(t.depth_dy, from_y, mul_add(t.depth_dx, from_x, t.depth)), t.depth_min, t.depth_max);
           draw_lanes(depth_plane, triangle_plane, covered, depth, first_pixel + Int(dy * tile_size + dx), triangles,
                      list, counters);
         }

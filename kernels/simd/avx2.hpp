@@ -136,11 +136,13 @@ TESSERA_INLINE void gather_records(const float* base, __m256i words, const Load&
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256* out) {
-  gather_records<quads>(base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+  gather_records<quads>(
+      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, __m256i words, __m256* out) {
   const __m128i three = _mm_setr_epi32(-1, -1, -1, 0);
-  gather_records<1>(base, words, [=](const float* p) { return _mm_maskload_ps(p, three); }, out);
+  gather_records<1>(
+      base, words, [=](const float* p) { return _mm_maskload_ps(p, three); }, out);
 }
 TESSERA_INLINE void load_quads(const float* p, __m256 (&out)[4]) {
   transpose_quads(_mm256_loadu_ps(p), _mm256_loadu_ps(p + 8), _mm256_loadu_ps(p + 16), _mm256_loadu_ps(p + 24), out);

@@ -121,10 +121,12 @@ TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load&
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {
-  gather_records<quads>(base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+  gather_records<quads>(
+      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512* out) {
-  gather_records<1>(base, words, [](const float* p) { return _mm_maskz_loadu_ps(7, p); }, out);
+  gather_records<1>(
+      base, words, [](const float* p) { return _mm_maskz_loadu_ps(7, p); }, out);
 }
 // Lane 4a + b <-> lane 4b + a.
 TESSERA_INLINE __m512 swap_quarters(__m512 x) {

@@ -208,9 +208,9 @@ TESSERA_INLINE __m128 load_triple(const float* p) {
 }
 TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out) {
   __m128 triple[4];
-  transpose_quads(
-      load_triple(base + _mm_extract_epi32(words, 0)), load_triple(base + _mm_extract_epi32(words, 1)),
-      load_triple(base + _mm_extract_epi32(words, 2)), load_triple(base + _mm_extract_epi32(words, 3)), triple);
+  transpose_quads(load_triple(base + _mm_extract_epi32(words, 0)), load_triple(base + _mm_extract_epi32(words, 1)),
+                  load_triple(base + _mm_extract_epi32(words, 2)), load_triple(base + _mm_extract_epi32(words, 3)),
+                  triple);
   for (int i = 0; i < 3; ++i) out[i] = triple[i];
 }
 TESSERA_INLINE void load_quads(const float* p, __m128 (&out)[4]) {

@@ -7,8 +7,8 @@
 #include "frame/capture.hpp"
 #include "frame/classify.hpp"
 #include "frame/material.hpp"
-#include "frame/tables.hpp"
 #include "frame/pipeline.hpp"
+#include "frame/tables.hpp"
 #include "precompute/texture.hpp"
 
 namespace tessera {
@@ -56,7 +56,7 @@ void Renderer::render(const View& view, const RenderSettings& settings, const Fr
   const FilmView film = resized(frame.rgba, settings.width, settings.height);
   frame.aovs = make_aov_layers(request.aovs, settings.width, settings.height);
   FrameStatistics& statistics = frame.statistics;
-  statistics = {};
+  statistics.clear();
   statistics.prepare_ms = s.prepare_ms;
   statistics.texture_bytes = s.textures.bytes();
   statistics.table_bytes = s.lighting.table_bytes();
@@ -84,7 +84,7 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
   const Lighting lighting(lights, environment, kernels);
   const FilmView film = resized(frame.rgba, gbuffer.width, gbuffer.height);
   FrameStatistics& statistics = frame.statistics;
-  statistics = {};
+  statistics.clear();
   statistics.isa = kernels.isa;
   statistics.prepare_ms = watch.ms();
   statistics.table_bytes = lighting.table_bytes();
@@ -93,7 +93,9 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
 
   run_with_threads(settings.threads, [&] {
     statistics.threads = thread_count();
+    const ProfileScope profile(statistics);
     const Stopwatch tiles;
+    std::vector<std::uint64_t> row_hashes;
     TileInputs in{};
     in.kernels = &kernels;
     in.view = view.transform;
@@ -102,19 +104,18 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
     const BackgroundSource background = lighting.background(settings);
     TileLoop loop;
     loop.run(TileGrid(gbuffer.width, gbuffer.height), settings, statistics,
-                  [&](FrameWorker& worker, const TileRect& rect) {
-                    TileFragments& tile = worker.tile.fragments;
-                    worker.tile.clock.start();
-                    load_tile(gbuffer, first, rect, tile);
-                    worker.tile.clock.lap(TileStage::collect);
-                    const auto count = static_cast<std::uint32_t>(tile.fragments.size());
-                    if (count != 0) shade_run(in, tile, 0, count, classify(tile.gbuffer(), count, in.lighting.features));
-                    worker.tile.clock.lap(TileStage::shade);
-                    finish_tile(worker, rect, gbuffer.samples, background, view, kernels, film);
-                  });
+             [&](FrameWorker& worker, const TileRect& rect) {
+               TileFragments& tile = worker.tile.fragments;
+               load_tile(gbuffer, first, rect, tile);
+               worker.tile.clock.lap(Stage::collect);
+               const auto count = static_cast<std::uint32_t>(tile.fragments.size());
+               if (count != 0) shade_run(in, tile, 0, count, classify(tile.gbuffer(), count, in.lighting.features));
+               worker.tile.clock.lap(Stage::shade);
+               finish_tile(worker, rect, gbuffer.samples, background, view, kernels, film);
+             });
     statistics.tiles_ms = tiles.ms();
     statistics.total_ms = statistics.tiles_ms;
-    statistics.pixel_hash = settings.hash ? hash_of(film) : 0;
+    statistics.pixel_hash = settings.hash ? hash_of(film, row_hashes) : 0;
   });
 }
 

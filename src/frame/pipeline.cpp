@@ -9,8 +9,11 @@ void FramePipeline::render(const PreparedScene& scene, const View& view, const R
                            FrameStatistics& statistics, const TileVisitor& visit) {
   statistics.isa = kernels.isa;
   statistics.threads = thread_count();
+  const ProfileScope profile(statistics);
   const Stopwatch total;
-  geometry_.run(scene.geometry, view.transform, settings.samples, scene.double_sided, scene.alpha_modes, kernels);
+  geometry_.run(scene.geometry, view.transform, settings.samples, scene.double_sided, scene.alpha_modes, kernels,
+                settings.trace);
+  add_profile(statistics, geometry_.clocks(), [](const StageClock& clock) -> const StageClock& { return clock; });
   statistics.geometry_ms = total.ms();
   statistics.geometry = geometry_.counters();
   statistics.binned = geometry_.binned();
@@ -35,7 +38,7 @@ void FramePipeline::render(const PreparedScene& scene, const View& view, const R
              });
   statistics.tiles_ms = tiles.ms();
   statistics.total_ms = total.ms();
-  statistics.pixel_hash = settings.hash ? hash_of(film) : 0;
+  statistics.pixel_hash = settings.hash ? hash_of(film, row_hashes_) : 0;
 }
 
 }  // namespace tessera

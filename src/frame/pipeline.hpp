@@ -30,15 +30,16 @@ class FramePipeline {
  public:
   using TileVisitor = std::function<void(const TileFragments&, const TileRect&)>;
 
-  /// Fills the film, whose size settings.width and height are, on the threads of the caller's arena, and the statistics of
-  /// what it did. `visit`, if any, sees every tile's shaded fragments, on any thread.
+  /// Fills the film, whose size settings.width and height are, on the threads of the caller's arena, and the statistics
+  /// of what it did. `visit`, if any, sees every tile's shaded fragments, on any thread.
   void render(const PreparedScene& scene, const View& view, const RenderSettings& settings,
-              const BackgroundSource& background, const Kernels& kernels, const FilmView& film, FrameStatistics& statistics,
-              const TileVisitor& visit = {});
+              const BackgroundSource& background, const Kernels& kernels, const FilmView& film,
+              FrameStatistics& statistics, const TileVisitor& visit = {});
 
  private:
   GeometryStage geometry_;
   TileLoop tiles_;
+  std::vector<std::uint64_t> row_hashes_;
 };
 
 }  // namespace tessera

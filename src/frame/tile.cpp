@@ -25,7 +25,6 @@ std::size_t TileWorker::bytes() const {
 }
 
 void TileWorker::render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists) {
-  clock.start();
   fragments.clear();
   const std::size_t samples = in.pattern.count;
   depth_.resize(samples * tile_pixels);
@@ -37,18 +36,18 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
     in.kernels->rasterize_opaque(
         {tile, in.setup.data(), lists.opaque.data(), static_cast<std::uint32_t>(lists.opaque.size())}, &counters);
   }
-  clock.lap(TileStage::coverage);
+  clock.lap(Stage::coverage);
   if (!lists.mask.empty()) {
     draw_masked(in, tile, lists.mask);
-    clock.lap(TileStage::alpha_mask);
+    clock.lap(Stage::alpha_mask);
   }
   collect(in, tile, lists.blend);
   group_by_binding(in);
   fragments.whole = is_whole(fragments, opaque_count_, width * height, in.pattern.count);
-  clock.lap(TileStage::collect);
+  clock.lap(Stage::collect);
   shade_runs(in, x, y);
   if (fragments.fragments.size() > opaque_count_) sort_transparent();
-  clock.lap(TileStage::collect);
+  clock.lap(Stage::collect);
 }
 
 // Candidates are tested against what is drawn so far, their alpha is fetched a binding at a time, and the survivors are
@@ -56,21 +55,17 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
 void TileWorker::draw_masked(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> list) {
   const bool split = tile.samples > 1;
   const std::size_t most = std::size_t{tile_pixels} * (split ? tile.samples : 1);
-  struct Piece {
-    std::uint32_t setup, first, count;
-  };
-  std::vector<Piece> pieces;
   std::size_t next = 0;
   while (next < list.size()) {
     const auto binding_of = [&](std::size_t i) { return in.geometry.triangles[in.setup[list[i]].triangle].binding; };
     const std::uint32_t binding = binding_of(next);
-    pieces.clear();
+    pieces_.clear();
     std::uint32_t count = 0;
     while (next < list.size() && binding_of(next) == binding && count < tile_pixels) {
       if (candidates_.size() < count + most) candidates_.resize(count + most);
       const std::uint32_t added =
           in.kernels->collect_triangle(tile, in.setup[list[next]], split, candidates_.data() + count);
-      if (added != 0) pieces.push_back({list[next], count, added});
+      if (added != 0) pieces_.push_back({list[next], count, added});
       count += added;
       ++next;
     }
@@ -81,7 +76,7 @@ void TileWorker::draw_masked(const TileInputs& in, const VisibilityTile& tile, s
     in.kernels->resolve_alpha(
         {in.geometry, in.view, &material, in.pattern, tile.x, tile.y, candidates_.data(), count, alpha_.data()});
     for (std::uint32_t i = 0; i < count; ++i) keep_[i] = alpha_[i] >= material.alpha_cutoff;
-    for (const Piece& p : pieces)
+    for (const Piece& p : pieces_)
       in.kernels->commit_fragments(tile, in.setup[p.setup], candidates_.data() + p.first, keep_.data() + p.first,
                                    p.count);
   }
@@ -188,13 +183,13 @@ void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
       if (fragments.whole) out.alpha = nullptr;
       if (!sorted) out.depth = nullptr;
     }
-    in.kernels->resolve({in.geometry, in.view, &in.materials[run.binding], in.pattern, x, y, grouped + run.first,
-                         run.count, out});
+    in.kernels->resolve(
+        {in.geometry, in.view, &in.materials[run.binding], in.pattern, x, y, grouped + run.first, run.count, out});
   }
-  clock.lap(TileStage::resolve);
+  clock.lap(Stage::resolve);
   for (const Run& run : runs_)
     shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features));
-  clock.lap(TileStage::shade);
+  clock.lap(Stage::shade);
 }
 
 // Transparent fragments were appended; every pixel's fragments are brought together, front to back where one is
@@ -202,7 +197,8 @@ void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
 void TileWorker::sort_transparent() {
   ScratchVector<Fragment>& all = fragments.fragments;
   const float* depth = fragments.gbuffer().depth;
-  std::vector<std::uint32_t> order(all.size());
+  ScratchVector<std::uint32_t>& order = order_;
+  order.resize(all.size());
   std::iota(order.begin(), order.end(), 0u);
   std::array<bool, tile_pixels> transparent{};
   for (std::size_t i = opaque_count_; i < all.size(); ++i) transparent[all[i].pixel] = true;

@@ -2,13 +2,12 @@
 // shading.
 #pragma once
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/stage_clock.hpp"
 #include "frame/fragments.hpp"
-#include "frame/statistics.hpp"
 #include "kernels/interface.hpp"
 #include "raster/bins.hpp"
 
@@ -34,28 +33,11 @@ struct TileInputs {
   bool all_planes;  // someone looks at the G-buffer: resolve what shading does not read, too
 };
 
-/// Adds the time since the last call to a stage.
-class StageClock {
- public:
-  void start() { last_ = Clock::now(); }
-  void lap(TileStage stage) {
-    const Clock::time_point now = Clock::now();
-    ms_[static_cast<int>(stage)] += std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-  }
-  [[nodiscard]] const std::array<double, static_cast<int>(TileStage::count)>& ms() const { return ms_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_;
-  std::array<double, static_cast<int>(TileStage::count)> ms_{};
-};
-
 class TileWorker {
  public:
   StageClock clock;
 
-  /// Leaves the tile's shaded fragments, sorted for compositing, in `fragments`.
+  /// The clock has been started. Leaves the tile's shaded fragments, sorted for compositing, in `fragments`.
   void render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists);
 
   TileFragments fragments;
@@ -69,6 +51,9 @@ class TileWorker {
   void shade_runs(const TileInputs& in, int x, int y);
   void sort_transparent();
 
+  struct Piece {  // candidates of one masked triangle
+    std::uint32_t setup, first, count;
+  };
   struct Run {  // fragments of one binding, contiguous in the planes
     std::uint32_t binding, first, count;
   };
@@ -79,11 +64,12 @@ class TileWorker {
   std::vector<float> alpha_;
   std::vector<std::uint8_t> keep_;
   ScratchVector<Fragment> grouped_;  // by binding: what resolve reads, unless fragments are in order
+  std::vector<Piece> pieces_;
   std::vector<Run> runs_;
+  ScratchVector<std::uint32_t> order_;
   std::vector<std::uint32_t> run_of_binding_;
   ScratchVector<std::uint32_t> fragment_run_;
   std::size_t opaque_count_ = 0;  // fragments before this one are opaque or masked
-  std::vector<std::uint64_t> sort_keys_;
   ScratchVector<Fragment> sorted_;
   ScratchVector<std::uint32_t> sorted_slots_;
 };

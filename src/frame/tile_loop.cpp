@@ -25,7 +25,7 @@ void TileLoop::begin(const TileGrid& grid, const RenderSettings& settings) {
     workers_.push_back(std::make_unique<FrameWorker>());
   for (const auto& worker : workers_) {
     worker->fragments = worker->pixels = worker->empty = 0;
-    worker->tile.clock = {};
+    worker->tile.clock.reset(settings.trace);
   }
   if (order_.size() == grid.count() && order_seed_ == settings.tile_order_seed) return;
   order_.resize(grid.count());
@@ -36,22 +36,19 @@ void TileLoop::begin(const TileGrid& grid, const RenderSettings& settings) {
 
 void TileLoop::end(const TileGrid& grid, FrameStatistics& statistics) const {
   statistics.tiles = grid.count();
-  statistics.tile_stage_ms = {};
   statistics.fragments = statistics.pixels_shaded = statistics.tiles_empty = 0;
   for (const auto& worker : workers_) {
     statistics.fragments += worker->fragments;
     statistics.pixels_shaded += worker->pixels;
     statistics.tiles_empty += worker->empty;
     statistics.working_bytes += worker->tile.bytes();
-    for (std::size_t k = 0; k < statistics.tile_stage_ms.size(); ++k)
-      statistics.tile_stage_ms[k] += worker->tile.clock.ms()[k];
   }
+  add_profile(statistics, workers_, [](const auto& worker) -> const StageClock& { return worker->tile.clock; });
 }
 
 void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const BackgroundSource& background,
                  const View& view, const Kernels& kernels, const FilmView& film) {
   StageClock& clock = worker.tile.clock;
-  clock.start();
   const TileFragments& tile = worker.tile.fragments;
   worker.fragments += tile.fragments.size();
   if (tile.whole) {
@@ -62,25 +59,42 @@ void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const B
                           film.at(rect.x, rect.y),
                           std::size_t(film.width) * 4});
     worker.pixels += tile.fragments.size();
-    clock.lap(TileStage::composite);
+    clock.lap(Stage::composite);
     return;
   }
   composite_surfaces(tile, samples, worker.composite);
-  clock.lap(TileStage::composite);
+  clock.lap(Stage::composite);
   composite_background(background, view, kernels, worker.composite,
                        {rect.x, rect.y, rect.width, rect.height, film.at(rect.x, rect.y), std::size_t(film.width) * 4});
-  clock.lap(TileStage::background);
+  clock.lap(Stage::background);
   worker.empty += tile.fragments.empty();
   for (std::size_t i = 0; i < tile.fragments.size(); ++i)
     worker.pixels += i == 0 || tile.fragments[i].pixel != tile.fragments[i - 1].pixel;
 }
 
-std::uint64_t hash_of(const FilmView& film) {
-  std::vector<std::uint64_t> rows(static_cast<std::size_t>(film.height));
-  parallel_for(rows.size(), [&](std::size_t y) {
-    PixelHash hash;
-    hash.add(film.at(0, static_cast<int>(y)), std::size_t(film.width) * 4);
-    rows[y] = hash.value();
+ProfileScope::~ProfileScope() {
+  const double ms = watch_.ms();
+  statistics_.ticks_per_ms = ms > 0 ? static_cast<double>(ticks() - statistics_.begin_ticks) / ms : 0;
+  statistics_.stage_ms = {};
+  if (statistics_.ticks_per_ms <= 0) return;
+  for (const ThreadProfile& thread : statistics_.profile)
+    for (std::size_t k = 0; k < thread.ticks.size(); ++k)
+      statistics_.stage_ms[k] += static_cast<double>(thread.ticks[k]) / statistics_.ticks_per_ms;
+}
+
+std::uint64_t hash_of(const FilmView& film, std::vector<std::uint64_t>& rows) {
+  // A hash waits for its own multiplication at every word: several rows at once keep the multiplier busy.
+  constexpr std::size_t together = 8;
+  const auto height = static_cast<std::size_t>(film.height), words = std::size_t(film.width) * 4;
+  rows.resize(height);
+  parallel_for((height + together - 1) / together, [&](std::size_t group) {
+    const std::size_t first = group * together, count = std::min(together, height - first);
+    PixelHash hashes[together];
+    const float* row[together];
+    for (std::size_t r = 0; r < together; ++r) row[r] = film.at(0, static_cast<int>(first + std::min(r, count - 1)));
+    for (std::size_t i = 0; i < words; ++i)
+      for (std::size_t r = 0; r < together; ++r) hashes[r].add(row[r][i]);
+    for (std::size_t r = 0; r < count; ++r) rows[first + r] = hashes[r].value();
   });
   PixelHash hash;
   for (const std::uint64_t row : rows) {

@@ -6,6 +6,7 @@
 
 #include "base/image.hpp"
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "frame/capture.hpp"
 #include "frame/composite.hpp"
 #include "frame/settings.hpp"
@@ -41,7 +42,9 @@ class TileLoop {
     begin(grid, settings);
     std::atomic<std::size_t> done{0};
     parallel_for(grid.count(), [&](std::size_t i) {
-      body(*workers_[static_cast<std::size_t>(thread_index())], grid.rect(order_[i]));
+      FrameWorker& worker = *workers_[static_cast<std::size_t>(thread_index())];
+      worker.tile.clock.start(order_[i]);
+      body(worker, grid.rect(order_[i]));
       const std::size_t n = done.fetch_add(1, std::memory_order_relaxed) + 1;
       if (settings.progress && (n % 64 == 0 || n == grid.count())) settings.progress(n, grid.count());
     });
@@ -61,7 +64,32 @@ class TileLoop {
 void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const BackgroundSource& background,
                  const View& view, const Kernels& kernels, const FilmView& film);
 
-/// PixelHash over the rows' own hashes, so that threads share the work.
-std::uint64_t hash_of(const FilmView& film);
+/// PixelHash over the rows' own hashes, so that threads share the work; `rows` is memory to keep.
+std::uint64_t hash_of(const FilmView& film, std::vector<std::uint64_t>& rows);
+
+/// Adds the threads' clocks to the statistics' profile; clock_of(element) is a StageClock.
+template <class Threads, class ClockOf>
+void add_profile(FrameStatistics& statistics, const Threads& threads, const ClockOf& clock_of) {
+  if (statistics.profile.size() < threads.size()) statistics.profile.resize(threads.size());
+  for (std::size_t t = 0; t < threads.size(); ++t) {
+    const StageClock& clock = clock_of(threads[t]);
+    ThreadProfile& to = statistics.profile[t];
+    for (std::size_t k = 0; k < to.ticks.size(); ++k) to.ticks[k] += clock.totals()[k];
+    to.events.insert(to.events.end(), clock.events().begin(), clock.events().end());
+  }
+}
+
+/// From first to last: begins the statistics' clock, and turns ticks into milliseconds at the end.
+class ProfileScope {
+ public:
+  explicit ProfileScope(FrameStatistics& statistics) : statistics_(statistics) { statistics.begin_ticks = ticks(); }
+  ~ProfileScope();
+  ProfileScope(const ProfileScope&) = delete;
+  ProfileScope& operator=(const ProfileScope&) = delete;
+
+ private:
+  FrameStatistics& statistics_;
+  Stopwatch watch_;
+};
 
 }  // namespace tessera

@@ -30,13 +30,17 @@ void add(GeometryCounters& sum, const GeometryCounters& c) {
 
 void GeometryStage::run(const GeometryView& geometry, const ViewTransform& view, int samples,
                         std::span<const std::uint8_t> double_sided, std::span<const AlphaMode> alpha_modes,
-                        const Kernels& kernels) {
+                        const Kernels& kernels, bool trace) {
   screen_ = TileScreen(view.width, view.height, kernels.sample_pattern(samples));
   vertices_.resize(geometry.vertex_count);
+  clocks_.resize(std::max(clocks_.size(), static_cast<std::size_t>(thread_count())));
+  for (StageClock& c : clocks_) c.reset(trace);
   parallel_for(chunks_of(geometry.vertex_count, vertices_per_chunk), [&](std::size_t chunk) {
+    clock().start(static_cast<std::uint32_t>(chunk));
     const std::uint32_t first = static_cast<std::uint32_t>(chunk) * vertices_per_chunk;
     const std::uint32_t count = std::min(vertices_per_chunk, geometry.vertex_count - first);
     kernels.project_vertices(view, geometry.positions + std::size_t{3} * first, count, vertices_.data() + first);
+    clock().lap(Stage::vertices);
   });
 
   const std::size_t chunk_count = chunks_of(geometry.triangle_count, triangles_per_chunk);
@@ -44,7 +48,8 @@ void GeometryStage::run(const GeometryView& geometry, const ViewTransform& view,
   chunk_bins_.resize(chunk_count);
   base_.assign(chunk_count + 1, 0);
   if (setup_.empty()) setup_.resize(std::min<std::size_t>(geometry.triangle_count, first_setup_capacity));
-  const bool plain = std::all_of(alpha_modes.begin(), alpha_modes.end(), [](AlphaMode m) { return m == AlphaMode::opaque; });
+  const bool plain =
+      std::all_of(alpha_modes.begin(), alpha_modes.end(), [](AlphaMode m) { return m == AlphaMode::opaque; });
   alpha_modes_ = plain ? std::span<const AlphaMode>() : alpha_modes;
   scratch_.resize(std::max(scratch_.size(), static_cast<std::size_t>(thread_count())));
   for (Scratch& scratch : scratch_)
@@ -60,14 +65,18 @@ void GeometryStage::run(const GeometryView& geometry, const ViewTransform& view,
   join_chunks();
 
   rows_.resize(static_cast<std::size_t>(screen_.rows));
-  parallel_for(rows_.size(),
-               [&](std::size_t row) { rows_[row].gather(static_cast<int>(row), screen_.columns, chunk_bins_, base_); });
+  parallel_for(rows_.size(), [&](std::size_t row) {
+    clock().start(static_cast<std::uint32_t>(row));
+    rows_[row].gather(static_cast<int>(row), screen_.columns, chunk_bins_, base_);
+    clock().lap(Stage::bins);
+  });
   binned_ = 0;
   for (const RowBins& row : rows_) binned_ += row.entries();
 }
 
 void GeometryStage::set_up_chunk(const SetupTrianglesArgs& all, std::size_t index, Scratch& scratch,
                                  const Kernels& kernels) {
+  clock().start(static_cast<std::uint32_t>(index));
   Chunk& chunk = chunks_[index];
   chunk.counters = {};
   chunk.overflow.clear();
@@ -86,7 +95,9 @@ void GeometryStage::set_up_chunk(const SetupTrianglesArgs& all, std::size_t inde
   } else {
     chunk.overflow.assign(args.out, args.out + count);
   }
+  clock().lap(Stage::triangles);
   chunk_bins_[index].fill(screen_, {args.out, count}, all.geometry.triangles, alpha_modes_, scratch.bins);
+  clock().lap(Stage::bins);
 }
 
 void GeometryStage::join_chunks() {

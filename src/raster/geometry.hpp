@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/aligned.hpp"
+#include "base/parallel.hpp"
+#include "base/stage_clock.hpp"
 #include "kernels/interface.hpp"
 #include "raster/bins.hpp"
 
@@ -21,7 +23,8 @@ class GeometryStage {
   /// double_sided and alpha_modes: per binding. view.width and view.height: 1 to max_frame_size. Where z <= w,
   /// ViewTransform gives w > 0; every index of geometry is in range.
   void run(const GeometryView& geometry, const ViewTransform& view, int samples,
-           std::span<const std::uint8_t> double_sided, std::span<const AlphaMode> alpha_modes, const Kernels& kernels);
+           std::span<const std::uint8_t> double_sided, std::span<const AlphaMode> alpha_modes, const Kernels& kernels,
+           bool trace = false);
 
   /// In submission order; a clipped triangle can have several, one after another.
   [[nodiscard]] std::span<const SetupTriangle> setup() const { return {setup_.data(), base_.back()}; }
@@ -31,6 +34,8 @@ class GeometryStage {
   /// Entries in all lists.
   [[nodiscard]] std::uint64_t binned() const { return binned_; }
   [[nodiscard]] std::size_t bytes() const;
+  /// Of the last run, per thread.
+  [[nodiscard]] std::span<const StageClock> clocks() const { return clocks_; }
 
  private:
   struct Chunk {
@@ -41,6 +46,7 @@ class GeometryStage {
     std::unique_ptr<SetupTriangle[]> setup;
     BinScratch bins;
   };
+  StageClock& clock() { return clocks_[static_cast<std::size_t>(thread_index())]; }
   void set_up_chunk(const SetupTrianglesArgs& all, std::size_t chunk, Scratch& scratch, const Kernels& kernels);
   void join_chunks();
 
@@ -53,6 +59,7 @@ class GeometryStage {
   std::atomic<std::size_t> next_chunk_{0}, placed_{0};
   std::vector<RowBins> rows_;
   std::vector<Scratch> scratch_;  // per thread
+  std::vector<StageClock> clocks_;
   ScratchVector<SetupTriangle> setup_;
   GeometryCounters counters_{};
   std::uint64_t binned_ = 0;
