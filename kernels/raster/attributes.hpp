@@ -190,9 +190,9 @@ inline void interpolate_attribute(const GeometryView& geometry, const FragmentLa
   for (int c = 0; c < size; ++c) out[c] = interpolate(b, corners[c][0], corners[c][1], corners[c][2]);
 }
 
-/// Twelve floats of the three vertices, SurfaceVertex's members in order.
+/// The three vertices, twelve floats each: SurfaceVertex's members in order.
 struct SurfaceCorners {
-  Float word[12][3];
+  Float vertex[3][12];
 };
 static_assert(offsetof(SurfaceVertex, normal) == 3 * sizeof(float));
 static_assert(offsetof(SurfaceVertex, base_color) == 6 * sizeof(float));
@@ -202,18 +202,16 @@ TESSERA_INLINE void fetch_surfaces(const GeometryView& geometry, const FragmentL
   constexpr int size = 12;
   const float* base = geometry.surfaces->position;
   for (int i = 0; i < 3; ++i) {
-    Float record[size];
     if (f.triangles != 0) {
-      spread_records(f, base, size, i, record);
+      spread_records(f, base, size, i, out.vertex[i]);
     } else {
-      gather_quads(base, f.vertex[i] * Int(size), record);
+      gather_quads(base, f.vertex[i] * Int(size), out.vertex[i]);
     }
-    for (int c = 0; c < size; ++c) out.word[c][i] = record[c];
   }
 }
 
 TESSERA_INLINE Float interpolate(const SurfaceCorners& corners, const Barycentrics<Float>& b, int word) {
-  return interpolate(b, corners.word[word][0], corners.word[word][1], corners.word[word][2]);
+  return interpolate(b, corners.vertex[0][word], corners.vertex[1][word], corners.vertex[2][word]);
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ inline void resolve_surface_run(const ResolveArgs& args) {
     SurfaceCorners v;
     fetch_surfaces(args.geometry, f, v);
     Vec3<Float> corners[3];
-    for (int i = 0; i < 3; ++i) corners[i] = {v.word[0][i], v.word[1][i], v.word[2][i]};
+    for (int i = 0; i < 3; ++i) corners[i] = {v.vertex[i][0], v.vertex[i][1], v.vertex[i][2]};
     const Barycentrics<Float> b = barycentrics(args.view, corners, f.x, f.y);
     resolve_position(args, b, corners, at);
     const Vec3<Float> raw{interpolate(v, b, 3), interpolate(v, b, 4), interpolate(v, b, 5)};

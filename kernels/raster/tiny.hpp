@@ -135,6 +135,7 @@ template <int N>
 TESSERA_INLINE void rasterize_list(const RasterizeArgs& args, const SamplePattern& pattern, const SampleExtent& extent,
                                    RasterCounters& counters) {
   const VisibilityTile& tile = args.tile;
+  CoarseDepth coarse;
   for (std::uint32_t first = 0; first < args.count; first += std::uint32_t(Int::lanes)) {
     prefetch_setup(args, first);
     const std::uint32_t* list = args.list + first;
@@ -156,7 +157,7 @@ TESSERA_INLINE void rasterize_list(const RasterizeArgs& args, const SamplePatter
         rasterize_tiny(tile, t, box, pattern, N > 0 ? N : pattern.count, args.triangles, list, counters);
     }
     for (; left != 0; left &= left - 1)
-      rasterize_triangle<N>(tile, args.triangles[list[__builtin_ctz(left)]], pattern, extent, counters);
+      rasterize_triangle<N>(tile, args.triangles[list[__builtin_ctz(left)]], pattern, extent, coarse, counters);
   }
 }
 

@@ -70,6 +70,24 @@ void composite_surfaces(const TileFragments& tile, int samples, CompositeScratch
   }
 }
 
+void background_alone(const BackgroundSource& background, const View& view, const Kernels& kernels,
+                      CompositeScratch& scratch, const TileFilm& film) {
+  if (background.kind == Background::environment) {
+    std::memset(scratch.rgba.data(), 0, scratch.rgba.size() * sizeof(float));
+    std::fill(scratch.remaining.begin(), scratch.remaining.end(), 1.0f);
+    composite_background(background, view, kernels, scratch, film);
+    return;
+  }
+  const float one = background.kind == Background::color ? 1.0f : 0.0f;
+  // 0 + makes -0 positive, as compositing does.
+  const float pixel[4] = {0.0f + one * background.color[0], 0.0f + one * background.color[1],
+                          0.0f + one * background.color[2], one};
+  for (int y = 0; y < film.height; ++y)
+    for (int x = 0; x < film.width; ++x)
+      std::memcpy(film.rgba + static_cast<std::size_t>(y) * film.row_stride + std::size_t{4} * static_cast<std::size_t>(x),
+                  pixel, sizeof(pixel));
+}
+
 void composite_background(const BackgroundSource& background, const View& view, const Kernels& kernels,
                           CompositeScratch& scratch, const TileFilm& film) {
   std::uint32_t count = 0;

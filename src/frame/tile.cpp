@@ -26,6 +26,8 @@ std::size_t TileWorker::bytes() const {
 
 void TileWorker::render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists) {
   fragments.clear();
+  opaque_count_ = 0;
+  if (lists.opaque.empty() && lists.mask.empty() && lists.blend.empty()) return;
   const std::size_t samples = in.pattern.count;
   depth_.resize(samples * tile_pixels);
   ids_.resize(samples * tile_pixels);
@@ -42,6 +44,10 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
     clock.lap(Stage::alpha_mask);
   }
   collect(in, tile, lists.blend);
+  if (fragments.fragments.empty()) {
+    clock.lap(Stage::collect);
+    return;
+  }
   group_by_binding(in);
   fragments.whole = is_whole(fragments, opaque_count_, width * height, in.pattern.count);
   clock.lap(Stage::collect);

@@ -62,12 +62,17 @@ void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const B
     clock.lap(Stage::composite);
     return;
   }
+  const TileFilm out{rect.x, rect.y, rect.width, rect.height, film.at(rect.x, rect.y), std::size_t(film.width) * 4};
+  if (tile.fragments.empty()) {
+    background_alone(background, view, kernels, worker.composite, out);
+    clock.lap(Stage::background);
+    ++worker.empty;
+    return;
+  }
   composite_surfaces(tile, samples, worker.composite);
   clock.lap(Stage::composite);
-  composite_background(background, view, kernels, worker.composite,
-                       {rect.x, rect.y, rect.width, rect.height, film.at(rect.x, rect.y), std::size_t(film.width) * 4});
+  composite_background(background, view, kernels, worker.composite, out);
   clock.lap(Stage::background);
-  worker.empty += tile.fragments.empty();
   for (std::size_t i = 0; i < tile.fragments.size(); ++i)
     worker.pixels += i == 0 || tile.fragments[i].pixel != tile.fragments[i - 1].pixel;
 }
