@@ -56,6 +56,15 @@ if(NOT TESSERA_KERNELS_ONLY)
   endif()
 endif()
 
+# tests/allocation/: with an operator new of its own, that counts.
+if(NOT TESSERA_KERNELS_ONLY)
+  add_executable(allocation_tests ${CMAKE_SOURCE_DIR}/tests/allocation/steady_state_test.cpp
+                                  ${CMAKE_SOURCE_DIR}/tests/golden/scenes.cpp)
+  target_include_directories(allocation_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_link_libraries(allocation_tests PRIVATE tessera_frame GTest::gtest_main)
+  gtest_discover_tests(allocation_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endif()
+
 # tests/bench/chart/: what draws and writes charts, on synthetic results; and the page in a real browser.
 if(TARGET tessera_charts)
   file(GLOB TESSERA_CHART_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/bench/chart/*_test.cpp)

@@ -40,6 +40,16 @@ struct VertexAttributes {  // 64 bytes: one cache line
 };
 static_assert(sizeof(VertexAttributes) == 64);
 
+// In place of VertexAttributes: a surface described vertex by vertex, without textures (scans, simulations). The
+// material's factors multiply what is here, as they multiply texels.
+struct SurfaceVertex {  // 48 bytes
+  float position[3];    // the same as in GeometryView::positions
+  float normal[3];
+  float base_color[3];
+  float metallic, roughness, occlusion;
+};
+static_assert(sizeof(SurfaceVertex) == 48);
+
 // Kernels gather vertices and triangles with signed 32-bit offsets.
 inline constexpr std::uint32_t max_scene_vertices = (1u << 27) - 1;
 inline constexpr std::uint32_t max_scene_triangles = (1u << 29) - 1;
@@ -49,6 +59,7 @@ struct GeometryView {      // world space, shared by all frames of a scene
   const VertexAttributes* attributes;
   const Triangle* triangles;
   std::uint32_t vertex_count, triangle_count;  // at most max_scene_vertices, max_scene_triangles
+  const SurfaceVertex* surfaces = nullptr;     // if set, instead of attributes; materials then have no textures
 };
 
 // World position (x,y,z,1) -> homogeneous window coordinates, viewport folded in: x_pixels * w, y_pixels * w, depth *
@@ -195,6 +206,8 @@ struct GBufferView {
   float* alpha;        // coverage by alphaMode: 1 for opaque and mask
   float* unlit;        // 1: colour is base_color, not lit; 0 otherwise
   float* depth;        // reversed depth at the shaded point
+  // Resolving skips emissive, alpha, unlit and depth where they are null; shading needs the first and third if features
+  // say so, and neither of the others.
 };
 inline constexpr int gbuffer_planes = 18;
 
@@ -301,6 +314,13 @@ struct CullLightsArgs {
   std::uint32_t* out;  // room for lights.count, rounded up to max_lanes
 };
 
+struct StorePixelsArgs {     // opaque radiance -> pixels of a film
+  const float* radiance[3];  // width * height, rows one after another
+  int width, height;
+  float* rgba;             // of the first pixel; alpha becomes 1
+  std::size_t row_stride;  // in floats
+};
+
 struct BackgroundArgs {           // radiance of the environment along pixel rays
   float corner[3], dx[3], dy[3];  // direction(x, y) = corner + x dx + y dy, pixel coordinates; need not be unit
   CubeView cube;
@@ -367,14 +387,6 @@ struct EncodeArgs {   // film -> what a display shows
   float exposure;     // factor, applied before the curve
   ToneCurve curve;
   std::uint8_t* out;  // sRGB-encoded RGBA, straight alpha (PNG's convention)
-};
-
-struct RgbaRowsArgs {        // radiance planes -> rows of an RGBA image, alpha 1
-  const float* radiance[3];  // row after row, each `width` long
-  int width, height;         // width a multiple of max_lanes
-  float* out;                // 64-byte aligned
-  std::size_t out_stride;    // floats from row to row; a multiple of 16
-  bool stream;               // past the caches: for a picture that is not read again soon
 };
 
 struct DownsampleArgs {  // one mip level from the one above it, box filter in linear light
@@ -449,6 +461,7 @@ struct Kernels {
   // Indices of the lights whose range reaches the fragments' bounding box, ascending; how many. Any other light adds
   // exactly nothing to any of the fragments.
   std::uint32_t (*cull_lights)(const CullLightsArgs&);
+  void (*store_pixels)(const StorePixelsArgs&);
 
   // entry/bake.cpp
   void (*dfg_table)(const DfgTableArgs&);
@@ -458,7 +471,6 @@ struct Kernels {
   // entry/image.cpp
   void (*encode)(const EncodeArgs&);
   void (*downsample)(const DownsampleArgs&);
-  void (*rgba_rows)(const RgbaRowsArgs&);
   void (*pack_half)(const float* in, std::uint16_t* out, std::size_t count);  // round to nearest even
   void (*unpack_half)(const std::uint16_t* in, float* out, std::size_t count);
 };

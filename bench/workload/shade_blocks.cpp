@@ -33,12 +33,11 @@ struct BlockShader {
     kernels.shade(a);
 
     const int x = block % blocks_x * block_size, y = block / blocks_x * block_size;
-    kernels.rgba_rows({{radiance[0], radiance[1], radiance[2]},
-                       block_size,
-                       std::min(block_size, height - y),
-                       rgba + (std::size_t(y) * width + std::size_t(x)) * 4,
-                       std::size_t{4} * width,
-                       true});
+    kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
+                          block_size,
+                          std::min(block_size, height - y),
+                          rgba + (std::size_t(y) * width + std::size_t(x)) * 4,
+                          std::size_t{4} * width});
   }
 };
 

@@ -27,6 +27,7 @@ extern const TermSpan<float>* const terms[];  // terms.cpp
 void shade(const ShadeArgs&);  // shade.cpp
 void background(const BackgroundArgs&);
 std::uint32_t cull_lights(const CullLightsArgs&);
+void store_pixels(const StorePixelsArgs&);
 
 void dfg_table(const DfgTableArgs&);  // bake.cpp
 void equirect_to_cube(const EquirectToCubeArgs&);
@@ -34,7 +35,6 @@ void prefilter_cube(const PrefilterCubeArgs&);
 
 void encode(const EncodeArgs&);  // image.cpp
 void downsample(const DownsampleArgs&);
-void rgba_rows(const RgbaRowsArgs&);
 void pack_half(const float* in, std::uint16_t* out, std::size_t count);
 void unpack_half(const std::uint16_t* in, float* out, std::size_t count);
 

@@ -103,23 +103,6 @@ void downsample(const DownsampleArgs& args) {
   for (int j = 0; j < height; ++j) downsample_row(args, j, width, args.out + std::size_t{4} * width * j);
 }
 
-void rgba_rows(const RgbaRowsArgs& args) {
-  const Float one(1);
-  std::size_t i = 0;
-  for (int row = 0; row < args.height; ++row) {
-    float* out = args.out + args.out_stride * static_cast<std::size_t>(row);
-    for (int x = 0; x < args.width; x += Float::lanes, i += Float::lanes, out += 4 * Float::lanes) {
-      const Float r = load<Float>(args.radiance[0] + i), g = load<Float>(args.radiance[1] + i),
-                  b = load<Float>(args.radiance[2] + i);
-      if (args.stream)
-        stream_interleaved(out, r, g, b, one);
-      else
-        store_interleaved(out, r, g, b, one);
-    }
-  }
-  if (args.stream) finish_streaming();
-}
-
 void pack_half(const float* in, std::uint16_t* out, std::size_t count) {
   constexpr std::size_t lanes = Float::lanes;
   std::size_t i = 0;

@@ -34,12 +34,12 @@ const Kernels kernels = {
     shade,
     background,
     cull_lights,
+    store_pixels,
     dfg_table,
     equirect_to_cube,
     prefilter_cube,
     encode,
     downsample,
-    rgba_rows,
     pack_half,
     unpack_half,
 };

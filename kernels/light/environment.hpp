@@ -53,15 +53,18 @@ struct TexelPair {
 };
 
 /// Two neighbours as they lie in memory, eight halves: the texels divided by texel_scale.
-TESSERA_INLINE TexelPair<Float> decode_texels(const IntQuad& rgba) {
-  return {{scaled_low_half(rgba.x), scaled_high_half(rgba.x), scaled_low_half(rgba.y)},
-          {scaled_low_half(rgba.z), scaled_high_half(rgba.z), scaled_low_half(rgba.w)}};
+TESSERA_INLINE TexelPair<Float> decode_texels(const Float (&words)[4]) {
+  const Int rg0 = bits(words[0]), b0 = bits(words[1]), rg1 = bits(words[2]), b1 = bits(words[3]);
+  return {{scaled_low_half(rg0), scaled_high_half(rg0), scaled_low_half(b0)},
+          {scaled_low_half(rg1), scaled_high_half(rg1), scaled_low_half(b1)}};
 }
 
 /// The texels index and index + 1 (counted from level 0), divided by texel_scale.
 template <class F>
 TESSERA_INLINE TexelPair<F> cube_texels(const CubeView& cube, IntOf<F> index) {
-  return decode_texels(gather_quads(cube.texels, index << 3));
+  Float words[4];
+  gather_quads(reinterpret_cast<const float*>(cube.texels), index << 1, words);
+  return decode_texels(words);
 }
 // One lane at a time: the same texels for tests and set-up.
 template <class F>
@@ -211,12 +214,11 @@ template <class F>
 struct DfgTexels {
   F A0, B0, A1, B1;
 };
-TESSERA_INLINE DfgTexels<Float> decode_dfg(const IntQuad& q) {
-  return {from_bits(q.x), from_bits(q.y), from_bits(q.z), from_bits(q.w)};
-}
 template <class F>
 TESSERA_INLINE DfgTexels<F> dfg_texels(const DfgView& dfg, IntOf<F> index) {
-  return decode_dfg(gather_quads(dfg.texels, index << 3));
+  Float words[4];
+  gather_quads(dfg.texels, index << 1, words);
+  return {words[0], words[1], words[2], words[3]};
 }
 template <>
 inline DfgTexels<float> dfg_texels<float>(const DfgView& dfg, std::int32_t index) {

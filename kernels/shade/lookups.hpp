@@ -26,41 +26,42 @@ class EnvironmentLookups {
 
   /// Gather number k, k < count, once each.
   TESSERA_INLINE void gather(std::uint32_t k) {
-    const IntQuad words = gather_quads(base_[k], offsets_[k]);
-    store(words_[k][0], words.x);
-    store(words_[k][1], words.y);
-    store(words_[k][2], words.z);
-    store(words_[k][3], words.w);
+    Float words[4];
+    gather_quads(base_[k], words_at_[k], words);
+    for (int i = 0; i < 4; ++i) store(words_[k][i], words[i]);
   }
 
   // After all gathers.
   TESSERA_INLINE void environment_brdf(Float& A, Float& B) const {
-    blend(dfg_, decode_dfg(words(0)), decode_dfg(words(1)), A, B);
+    const auto texels = [&](int k) -> DfgTexels<Float> { return {word(k, 0), word(k, 1), word(k, 2), word(k, 3)}; };
+    const DfgTexels<Float> above = texels(0), below = texels(1);
+    blend(dfg_, above, below, A, B);
   }
   TESSERA_INLINE Vec3<Float> specular() const {
-    return blend(cube_.fine, decode_texels(words(2)), decode_texels(words(3))) +
-           blend(cube_.coarse, decode_texels(words(4)), decode_texels(words(5)));
+    const auto texels = [&](int k) {
+      const Float words[4] = {word(k, 0), word(k, 1), word(k, 2), word(k, 3)};
+      return decode_texels(words);
+    };
+    const TexelPair<Float> a = texels(2), b = texels(3), c = texels(4), d = texels(5);
+    return blend(cube_.fine, a, b) + blend(cube_.coarse, c, d);
   }
 
  private:
   static constexpr int lanes = Float::lanes;
 
-  // Both tables have entries of eight bytes.
+  // Both tables have entries of two words.
   TESSERA_INLINE void set(int k, const void* base, Int above, Int below) {
-    base_[k] = base_[k + 1] = base;
-    store(offsets_[k], above << 3);
-    store(offsets_[k + 1], below << 3);
+    base_[k] = base_[k + 1] = static_cast<const float*>(base);
+    store(words_at_[k], above << 1);
+    store(words_at_[k + 1], below << 1);
   }
-  TESSERA_INLINE IntQuad words(int k) const {
-    return {load_int<Int>(words_[k][0]), load_int<Int>(words_[k][1]), load_int<Int>(words_[k][2]),
-            load_int<Int>(words_[k][3])};
-  }
+  TESSERA_INLINE Float word(int k, int i) const { return load<Float>(words_[k][i]); }
 
   Footprint<Float> dfg_;
   CubeLookup<Float> cube_;
-  const void* base_[count];
-  alignas(64) std::int32_t offsets_[count][lanes];
-  alignas(64) std::int32_t words_[count][4][lanes];
+  const float* base_[count];
+  alignas(64) std::int32_t words_at_[count][lanes];
+  alignas(64) float words_[count][4][lanes];
 };
 
 }  // namespace

@@ -59,30 +59,6 @@ TESSERA_INLINE void gather_pairs(const void* base, __m512i offset, __m512i& low,
   high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
 }
 
-// 128 bits per lane, by bytes: out[k] holds the k-th 32 bits of each. Four loads a register, each into its own quarter,
-// and a 4 x 4 transposition in every quarter: cheaper than gather instructions. The offsets come from memory: sixteen
-// loads are cheaper than taking them out of a register one by one.
-TESSERA_INLINE void gather_quads(const void* base, const std::int32_t* byte, __m512i (&out)[4]) {
-  const auto load = [&](int lane) {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(static_cast<const char*>(base) + byte[lane]));
-  };
-  const auto rows = [&](int k) {
-    __m512i r = _mm512_castsi128_si512(load(k));
-    r = _mm512_mask_broadcast_i32x4(r, 0x00f0, load(4 + k));
-    r = _mm512_mask_broadcast_i32x4(r, 0x0f00, load(8 + k));
-    return _mm512_mask_broadcast_i32x4(r, 0xf000, load(12 + k));
-  };
-  const __m512i r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
-  const __m512i low01 = _mm512_maskz_unpacklo_epi32(0xffff, r0, r1),
-                low23 = _mm512_maskz_unpacklo_epi32(0xffff, r2, r3);
-  const __m512i high01 = _mm512_maskz_unpackhi_epi32(0xffff, r0, r1),
-                high23 = _mm512_maskz_unpackhi_epi32(0xffff, r2, r3);
-  out[0] = _mm512_maskz_unpacklo_epi64(0xff, low01, low23);
-  out[1] = _mm512_maskz_unpackhi_epi64(0xff, low01, low23);
-  out[2] = _mm512_maskz_unpacklo_epi64(0xff, high01, high23);
-  out[3] = _mm512_maskz_unpackhi_epi64(0xff, high01, high23);
-}
-
 // Sixteen bits in the low half of each lane.
 TESSERA_INLINE __m512 half_to_float(__m512i x) {
   return _mm512_maskz_cvtph_ps(0xffff, _mm512_maskz_cvtepi32_epi16(0xffff, x));
@@ -97,19 +73,6 @@ TESSERA_INLINE void store_half(std::uint16_t* p, __m512 x) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm512_maskz_cvtps_ph(0xffff, x, _MM_FROUND_TO_NEAREST_INT));
 }
 
-// The four numbers of lane 0, then those of lane 1 ...
-TESSERA_INLINE void interleave(__m512 a, __m512 b, __m512 c, __m512 d, __m512 (&out)[4]) {
-  for (int k = 0; k < 4; ++k) {
-    const __m512i first = _mm512_set1_epi32(4 * k);
-    const __m512i ab =
-        _mm512_add_epi32(first, _mm512_setr_epi32(0, 16, 0, 16, 1, 17, 1, 17, 2, 18, 2, 18, 3, 19, 3, 19));
-    const __m512 pairs = _mm512_permutex2var_ps(a, ab, b);
-    out[k] = _mm512_mask_mov_ps(pairs, 0xcccc, _mm512_permutex2var_ps(c, ab, d));
-  }
-}
-TESSERA_INLINE void stream(float* p, __m512 x) { _mm512_stream_ps(p, x); }
-TESSERA_INLINE void finish_streaming() { _mm_sfence(); }
-
 TESSERA_INLINE std::uint32_t mask_bits(__mmask16 m) { return _cvtmask16_u32(m); }
 TESSERA_INLINE __mmask16 mask_from_bits(std::uint32_t b) { return static_cast<__mmask16>(b); }
 TESSERA_INLINE __mmask16 mask_from_int(__mmask16 m) { return m; }
@@ -122,6 +85,95 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m512i x, __mmask16 m) {
   // Compressing into a register first: the instruction that compresses to memory is microcoded on Zen 4.
   _mm512_mask_storeu_epi32(p, static_cast<__mmask16>((1u << count) - 1), _mm512_maskz_compress_epi32(m, x));
   return count;
+}
+
+// Records of four words, lane by lane -> one vector per word. a to d hold the records of lanes 4k to 4k + 3 in their
+// k-th quarter.
+TESSERA_INLINE void transpose_quads(__m512 a, __m512 b, __m512 c, __m512 d, __m512 (&out)[4]) {
+  const __m512 ab_low = _mm512_maskz_unpacklo_ps(0xffff, a, b), ab_high = _mm512_maskz_unpackhi_ps(0xffff, a, b);
+  const __m512 cd_low = _mm512_maskz_unpacklo_ps(0xffff, c, d), cd_high = _mm512_maskz_unpackhi_ps(0xffff, c, d);
+  out[0] = _mm512_maskz_shuffle_ps(0xffff, ab_low, cd_low, 0x44);
+  out[1] = _mm512_maskz_shuffle_ps(0xffff, ab_low, cd_low, 0xee);
+  out[2] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0x44);
+  out[3] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0xee);
+}
+template <class Load>
+TESSERA_INLINE __m512 four_records(const float* const (&p)[4], int word, const Load& load) {
+  const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[0] + word)), load(p[1] + word), 1);
+  const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[2] + word)), load(p[3] + word), 1);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, const Load& load, __m512* out) {
+  __m512 records[quads][4];
+  for (int i = 0; i < 4; ++i) {
+    const float* const p[4] = {base + word[i], base + word[i + 4], base + word[i + 8], base + word[i + 12]};
+    for (int q = 0; q < quads; ++q) records[q][i] = four_records(p, 4 * q, load);
+  }
+  for (int q = 0; q < quads; ++q) {
+    __m512 words_of_quad[4];
+    transpose_quads(records[q][0], records[q][1], records[q][2], records[q][3], words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load& load, __m512* out) {
+  alignas(64) std::int32_t word[16];
+  _mm512_store_si512(word, words);
+  asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
+  gather_records<quads>(base, static_cast<const std::int32_t*>(word), load, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m512* out) {
+  gather_records<quads>(
+      base, word, [](const float* p) { return _mm_loadu_ps(p); }, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {
+  gather_records<quads>(
+      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+}
+TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512* out) {
+  gather_records<1>(
+      base, words, [](const float* p) { return _mm_maskz_loadu_ps(7, p); }, out);
+}
+// Lane 4a + b <-> lane 4b + a.
+TESSERA_INLINE __m512 swap_quarters(__m512 x) {
+  const __m512i lane = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+  return _mm512_maskz_permutexvar_ps(0xffff, lane, x);
+}
+TESSERA_INLINE void load_quads(const float* p, __m512 (&out)[4]) {
+  transpose_quads(_mm512_loadu_ps(p), _mm512_loadu_ps(p + 16), _mm512_loadu_ps(p + 32), _mm512_loadu_ps(p + 48), out);
+  for (__m512& x : out) x = swap_quarters(x);
+}
+TESSERA_INLINE void store_quads(float* p, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
+  for (int i = 0; i < 4; ++i) _mm512_storeu_ps(p + 16 * i, record[i]);
+}
+// Past the caches; p on a multiple of 64 bytes.
+TESSERA_INLINE void stream_quads(float* p, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
+  for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + 16 * i, record[i]);
+}
+TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) {
+    const __m512 r = record[i];
+    _mm_storeu_ps(p + stride * i, __builtin_shufflevector(r, r, 0, 1, 2, 3));
+    _mm_storeu_ps(p + stride * (4 + i), __builtin_shufflevector(r, r, 4, 5, 6, 7));
+    _mm_storeu_ps(p + stride * (8 + i), __builtin_shufflevector(r, r, 8, 9, 10, 11));
+    _mm_storeu_ps(p + stride * (12 + i), __builtin_shufflevector(r, r, 12, 13, 14, 15));
+  }
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, __m512i& low, __m512i& high) {
+  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  const __m512i a = _mm512_loadu_si512(p), b = _mm512_loadu_si512(p + 16);
+  low = _mm512_permutex2var_epi32(a, even, b);
+  high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
 }
 
 }  // namespace native

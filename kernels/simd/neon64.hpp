@@ -79,22 +79,6 @@ TESSERA_INLINE void gather_pairs(const void* base, int32x4_t offset, int32x4_t& 
   high = vuzp2q_s32(a, b);
 }
 
-// 128 bits per lane, by bytes: out[k] holds the k-th 32 bits of each.
-TESSERA_INLINE void gather_quads(const void* base, const std::int32_t* byte, int32x4_t (&out)[4]) {
-  const auto load = [&](int lane) {
-    return vreinterpretq_s32_u8(vld1q_u8(static_cast<const std::uint8_t*>(base) + byte[lane]));
-  };
-  const int32x4_t r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
-  const auto pair = [](int32x4_t a) { return vreinterpretq_s64_s32(a); };
-  const auto words = [](int64x2_t a) { return vreinterpretq_s32_s64(a); };
-  const int64x2_t low01 = pair(vzip1q_s32(r0, r1)), low23 = pair(vzip1q_s32(r2, r3));
-  const int64x2_t high01 = pair(vzip2q_s32(r0, r1)), high23 = pair(vzip2q_s32(r2, r3));
-  out[0] = words(vzip1q_s64(low01, low23));
-  out[1] = words(vzip2q_s64(low01, low23));
-  out[2] = words(vzip1q_s64(high01, high23));
-  out[3] = words(vzip2q_s64(high01, high23));
-}
-
 // Sixteen bits in the low half of each lane.
 TESSERA_INLINE float32x4_t half_to_float(int32x4_t x) {
   return vcvt_f32_f16(vreinterpret_f16_u16(vmovn_u32(vreinterpretq_u32_s32(x))));
@@ -104,19 +88,6 @@ TESSERA_INLINE int32x4_t float_to_half(float32x4_t x) {
 }
 TESSERA_INLINE float32x4_t load_half(const std::uint16_t* p) { return vcvt_f32_f16(vreinterpret_f16_u16(vld1_u16(p))); }
 TESSERA_INLINE void store_half(std::uint16_t* p, float32x4_t x) { vst1_u16(p, vreinterpret_u16_f16(vcvt_f16_f32(x))); }
-
-// The four numbers of lane 0, then those of lane 1 ...
-TESSERA_INLINE void interleave(float32x4_t a, float32x4_t b, float32x4_t c, float32x4_t d, float32x4_t (&out)[4]) {
-  const float32x4_t ac_low = vzip1q_f32(a, c), ac_high = vzip2q_f32(a, c);
-  const float32x4_t bd_low = vzip1q_f32(b, d), bd_high = vzip2q_f32(b, d);
-  out[0] = vzip1q_f32(ac_low, bd_low);
-  out[1] = vzip2q_f32(ac_low, bd_low);
-  out[2] = vzip1q_f32(ac_high, bd_high);
-  out[3] = vzip2q_f32(ac_high, bd_high);
-}
-// No hint to give from C++: an ordinary store.
-TESSERA_INLINE void stream(float* p, float32x4_t x) { vst1q_f32(p, x); }
-TESSERA_INLINE void finish_streaming() {}
 
 TESSERA_INLINE void store_masked(float* p, float32x4_t x, uint32x4_t m) {
   for (int i = 0; i < 4; ++i)
@@ -131,6 +102,60 @@ TESSERA_INLINE int compress_store(std::int32_t* p, int32x4_t x, uint32x4_t m) {
   for (int i = 0; i < 4; ++i)
     if (m[i]) p[count++] = x[i];
   return count;
+}
+
+// Records of four words, lane by lane -> one vector per word.
+TESSERA_INLINE void transpose_quads(float32x4_t a, float32x4_t b, float32x4_t c, float32x4_t d, float32x4_t (&out)[4]) {
+  // a0 c0 a1 c1 and b0 d0 b1 d1, zipped once more.
+  const float32x4_t ac_low = vzip1q_f32(a, c), ac_high = vzip2q_f32(a, c);
+  const float32x4_t bd_low = vzip1q_f32(b, d), bd_high = vzip2q_f32(b, d);
+  out[0] = vzip1q_f32(ac_low, bd_low);
+  out[1] = vzip2q_f32(ac_low, bd_low);
+  out[2] = vzip1q_f32(ac_high, bd_high);
+  out[3] = vzip2q_f32(ac_high, bd_high);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t* out) {
+  for (int q = 0; q < quads; ++q) {
+    const float* from = base + 4 * q;
+    float32x4_t words_of_quad[4];
+    transpose_quads(vld1q_f32(from + words[0]), vld1q_f32(from + words[1]), vld1q_f32(from + words[2]),
+                    vld1q_f32(from + words[3]), words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, float32x4_t* out) {
+  gather_quads<quads>(base, vld1q_s32(word), out);
+}
+TESSERA_INLINE float32x4_t load_triple(const float* p) {
+  return vcombine_f32(vld1_f32(p), vld1_lane_f32(p + 2, vdup_n_f32(0), 0));
+}
+TESSERA_INLINE void gather_triples(const float* base, int32x4_t words, float32x4_t* out) {
+  float32x4_t triple[4];
+  transpose_quads(load_triple(base + words[0]), load_triple(base + words[1]), load_triple(base + words[2]),
+                  load_triple(base + words[3]), triple);
+  for (int i = 0; i < 3; ++i) out[i] = triple[i];
+}
+TESSERA_INLINE void load_quads(const float* p, float32x4_t (&out)[4]) {
+  const float32x4x4_t records = vld4q_f32(p);
+  for (int i = 0; i < 4; ++i) out[i] = records.val[i];
+}
+TESSERA_INLINE void store_quads(float* p, const float32x4_t (&in)[4]) {
+  const float32x4x4_t records = {{in[0], in[1], in[2], in[3]}};
+  vst4q_f32(p, records);
+}
+TESSERA_INLINE void stream_quads(float* p, const float32x4_t (&in)[4]) { store_quads(p, in); }
+TESSERA_INLINE void end_streaming() {}
+TESSERA_INLINE void scatter_quads(float* p, int stride, const float32x4_t (&in)[4]) {
+  float32x4_t record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) vst1q_f32(p + stride * i, record[i]);
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, int32x4_t& low, int32x4_t& high) {
+  const int32x4x2_t pairs = vld2q_s32(p);
+  low = pairs.val[0];
+  high = pairs.val[1];
 }
 
 }  // namespace native

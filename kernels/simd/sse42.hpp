@@ -78,18 +78,6 @@ TESSERA_INLINE __m128i shift_left(__m128i x, int n) { return (__m128i)((__v4si)x
 TESSERA_INLINE __m128i shift_right(__m128i x, int n) { return (__m128i)((__v4si)x >> n); }
 TESSERA_INLINE __m128i shift_right_logical(__m128i x, int n) { return (__m128i)((__v4su)x >> n); }
 
-// The four numbers of lane 0, then those of lane 1 ...
-TESSERA_INLINE void interleave(__m128 a, __m128 b, __m128 c, __m128 d, __m128 (&out)[4]) {
-  const __m128 ab_low = _mm_unpacklo_ps(a, b), ab_high = _mm_unpackhi_ps(a, b);
-  const __m128 cd_low = _mm_unpacklo_ps(c, d), cd_high = _mm_unpackhi_ps(c, d);
-  out[0] = _mm_movelh_ps(ab_low, cd_low);
-  out[1] = _mm_movehl_ps(cd_low, ab_low);
-  out[2] = _mm_movelh_ps(ab_high, cd_high);
-  out[3] = _mm_movehl_ps(cd_high, ab_high);
-}
-TESSERA_INLINE void stream(float* p, __m128 x) { _mm_stream_ps(p, x); }
-TESSERA_INLINE void finish_streaming() { _mm_sfence(); }
-
 TESSERA_INLINE std::uint32_t mask_bits(__m128 m) { return static_cast<std::uint32_t>(_mm_movemask_ps(m)); }
 TESSERA_INLINE __m128 mask_from_bits(std::uint32_t b) {
   const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
@@ -129,20 +117,6 @@ TESSERA_INLINE void gather_pairs(const void* base, __m128i offset, __m128i& low,
   const __m128i b = _mm_unpacklo_epi32(load(_mm_extract_epi32(offset, 2)), load(_mm_extract_epi32(offset, 3)));
   low = _mm_unpacklo_epi64(a, b);
   high = _mm_unpackhi_epi64(a, b);
-}
-
-// 128 bits per lane, by bytes: out[k] holds the k-th 32 bits of each.
-TESSERA_INLINE void gather_quads(const void* base, const std::int32_t* byte, __m128i (&out)[4]) {
-  const auto load = [&](int lane) {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(static_cast<const char*>(base) + byte[lane]));
-  };
-  const __m128i r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
-  const __m128i low01 = _mm_unpacklo_epi32(r0, r1), low23 = _mm_unpacklo_epi32(r2, r3);
-  const __m128i high01 = _mm_unpackhi_epi32(r0, r1), high23 = _mm_unpackhi_epi32(r2, r3);
-  out[0] = _mm_unpacklo_epi64(low01, low23);
-  out[1] = _mm_unpackhi_epi64(low01, low23);
-  out[2] = _mm_unpacklo_epi64(high01, high23);
-  out[3] = _mm_unpackhi_epi64(high01, high23);
 }
 
 // Sixteen bits in the low half of each lane. As F16C: a signalling NaN turns quiet and keeps its other bits.
@@ -206,6 +180,68 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m128i x, __m128 m) {
   if (set & 4) p[count++] = _mm_extract_epi32(x, 2);
   if (set & 8) p[count++] = _mm_extract_epi32(x, 3);
   return count;
+}
+
+// Records of four words, lane by lane -> one vector per word.
+TESSERA_INLINE void transpose_quads(__m128 a, __m128 b, __m128 c, __m128 d, __m128 (&out)[4]) {
+  const __m128 ab_low = _mm_unpacklo_ps(a, b), ab_high = _mm_unpackhi_ps(a, b);
+  const __m128 cd_low = _mm_unpacklo_ps(c, d), cd_high = _mm_unpackhi_ps(c, d);
+  out[0] = _mm_movelh_ps(ab_low, cd_low);
+  out[1] = _mm_movehl_ps(cd_low, ab_low);
+  out[2] = _mm_movelh_ps(ab_high, cd_high);
+  out[3] = _mm_movehl_ps(cd_high, ab_high);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m128i words, __m128* out) {
+  const float* const p[4] = {base + _mm_extract_epi32(words, 0), base + _mm_extract_epi32(words, 1),
+                             base + _mm_extract_epi32(words, 2), base + _mm_extract_epi32(words, 3)};
+  for (int q = 0; q < quads; ++q) {
+    __m128 words_of_quad[4];
+    transpose_quads(_mm_loadu_ps(p[0] + 4 * q), _mm_loadu_ps(p[1] + 4 * q), _mm_loadu_ps(p[2] + 4 * q),
+                    _mm_loadu_ps(p[3] + 4 * q), words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m128* out) {
+  gather_quads<quads>(base, _mm_loadu_si128(reinterpret_cast<const __m128i*>(word)), out);
+}
+TESSERA_INLINE __m128 load_triple(const float* p) {
+  const __m128i pair = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+  return _mm_movelh_ps(_mm_castsi128_ps(pair), _mm_load_ss(p + 2));
+}
+TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out) {
+  __m128 triple[4];
+  transpose_quads(load_triple(base + _mm_extract_epi32(words, 0)), load_triple(base + _mm_extract_epi32(words, 1)),
+                  load_triple(base + _mm_extract_epi32(words, 2)), load_triple(base + _mm_extract_epi32(words, 3)),
+                  triple);
+  for (int i = 0; i < 3; ++i) out[i] = triple[i];
+}
+TESSERA_INLINE void load_quads(const float* p, __m128 (&out)[4]) {
+  transpose_quads(_mm_loadu_ps(p), _mm_loadu_ps(p + 4), _mm_loadu_ps(p + 8), _mm_loadu_ps(p + 12), out);
+}
+TESSERA_INLINE void store_quads(float* p, const __m128 (&in)[4]) {
+  __m128 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) _mm_storeu_ps(p + 4 * i, record[i]);
+}
+// Past the caches; p on a multiple of 64 bytes.
+TESSERA_INLINE void stream_quads(float* p, const __m128 (&in)[4]) {
+  __m128 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) _mm_stream_ps(p + 4 * i, record[i]);
+}
+TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m128 (&in)[4]) {
+  __m128 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) _mm_storeu_ps(p + stride * i, record[i]);
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, __m128i& low, __m128i& high) {
+  const __m128 a = _mm_loadu_ps(reinterpret_cast<const float*>(p));
+  const __m128 b = _mm_loadu_ps(reinterpret_cast<const float*>(p + 4));
+  low = _mm_castps_si128(_mm_shuffle_ps(a, b, 0x88));
+  high = _mm_castps_si128(_mm_shuffle_ps(a, b, 0xdd));
 }
 
 }  // namespace native

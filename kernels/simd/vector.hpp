@@ -128,20 +128,6 @@ TESSERA_INLINE void store_half(std::uint16_t* p, Float x) { native::store_half(p
 TESSERA_INLINE void store_masked(float* p, Float x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
 TESSERA_INLINE void store_masked(std::int32_t* p, Int x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
 
-// a0 b0 c0 d0 a1 b1 ...; the second form past the caches, p on a 64-byte boundary, visible to other threads only after
-// finish_streaming.
-TESSERA_INLINE void store_interleaved(float* p, Float a, Float b, Float c, Float d) {
-  native::FloatRegister out[4];
-  native::interleave(a.raw(), b.raw(), c.raw(), d.raw(), out);
-  for (int k = 0; k < 4; ++k) store(p + k * Float::lanes, make_float(out[k]));
-}
-TESSERA_INLINE void stream_interleaved(float* p, Float a, Float b, Float c, Float d) {
-  native::FloatRegister out[4];
-  native::interleave(a.raw(), b.raw(), c.raw(), d.raw(), out);
-  for (int k = 0; k < 4; ++k) native::stream(p + k * Float::lanes, out[k]);
-}
-TESSERA_INLINE void finish_streaming() { native::finish_streaming(); }
-
 // Asks for the cache line at p, into the second-level cache: there it does not push out what is in use. p may be any
 // address.
 TESSERA_INLINE void prefetch(const float* p) { __builtin_prefetch(p, 0, 2); }
@@ -180,20 +166,53 @@ TESSERA_INLINE IntPair gather_pairs(const void* base, Int byte_offset) {
   return {make_int(low), make_int(high)};
 }
 
-// The 128 bits there, as four numbers; the offsets, one per lane, in memory.
-struct IntQuad {
-  Int x, y, z, w;
-};
-TESSERA_INLINE IntQuad gather_quads(const void* base, const std::int32_t* byte_offsets) {
-  native::IntRegister out[4];
-  native::gather_quads(base, byte_offsets, out);
-  return {make_int(out[0]), make_int(out[1]), make_int(out[2]), make_int(out[3])};
+// Records, one per lane -> one vector per word. A lane's record starts at base[word], word signed, and has as many
+// floats as `out` (a multiple of four), or three. Wide loads and shuffles cost a third of what gathers do.
+template <int words>
+TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[words]) {
+  static_assert(words % 4 == 0);
+  native::FloatRegister r[words];
+  native::gather_quads<words / 4>(base, word.raw(), r);
+  for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
 }
-TESSERA_INLINE IntQuad gather_quads(const void* base, Int byte_offset) {
-  alignas(64) std::int32_t offsets[Int::lanes];
-  store(offsets, byte_offset);
-  asm("" : "+m"(offsets));  // GCC would take them out of the register instead
-  return gather_quads(base, offsets);
+// The same with the lanes' words in memory.
+template <int words>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, Float (&out)[words]) {
+  static_assert(words % 4 == 0);
+  native::FloatRegister r[words];
+  native::gather_quads<words / 4>(base, word, r);
+  for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
+}
+TESSERA_INLINE void gather_triples(const float* base, Int word, Float (&out)[3]) {
+  native::FloatRegister r[4];
+  native::gather_triples(base, word.raw(), r);
+  for (int i = 0; i < 3; ++i) out[i] = make_float(r[i]);
+}
+// Of consecutive records.
+TESSERA_INLINE void load_quads(const float* p, Float (&out)[4]) {
+  native::FloatRegister r[4];
+  native::load_quads(p, r);
+  for (int i = 0; i < 4; ++i) out[i] = make_float(r[i]);
+}
+TESSERA_INLINE void store_quads(float* p, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::store_quads(p, r);
+}
+// Lane i's record to p + stride * i.
+TESSERA_INLINE void scatter_quads(float* p, int stride, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::scatter_quads(p, stride, r);
+}
+// Past the caches, where the machine can; p on a multiple of 64 bytes. end_streaming() before another thread reads.
+TESSERA_INLINE void stream_quads(float* p, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::stream_quads(p, r);
+}
+TESSERA_INLINE void end_streaming() { native::end_streaming(); }
+TESSERA_INLINE IntPair load_pairs(const void* p) {
+  native::IntRegister low, high;
+  native::load_pairs(static_cast<const std::int32_t*>(p), low, high);
+  return {make_int(low), make_int(high)};
 }
 
 // ----------------------------------------------------------------------------------------------------------- lanes

@@ -9,8 +9,8 @@ namespace tessera::cli {
 
 struct MachineOptions {
   int threads = 0;
-  std::string isa, statistics;
-  bool quiet = false;
+  std::string isa, statistics, trace;
+  bool profile = false, quiet = false;
 };
 
 inline void add_machine_options(CLI::App& command, MachineOptions& options) {
@@ -24,6 +24,12 @@ inline void add_machine_options(CLI::App& command, MachineOptions& options) {
       ->group(group);
   command.add_option("--stats", options.statistics, "Write times, counts, memory and the pixels' hash as JSON")
       ->type_name("FILE")
+      ->group(group);
+  command.add_flag("--profile", options.profile, "Print the cycles of each thread by stage")->group(group);
+  command
+      .add_option("--trace", options.trace,
+                  "Write when each thread did what, tile by tile, for chrome://tracing or ui.perfetto.dev")
+      ->type_name("FILE.json")
       ->group(group);
   command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors")->group(group);
 }

@@ -16,6 +16,8 @@ struct RenderSettings {
   float background_color[3] = {0, 0, 0};  // linear
   float background_blur = 0;              // 0 sharp .. 1 the most blurred mip
   int threads = 0;                        // 0: all cores
+  bool trace = false;                     // remember when each thread did what: FrameStatistics::profile
+  bool hash = true;                       // compute FrameStatistics::pixel_hash
 
   std::uint64_t tile_order_seed = 0;  // 0: rows; else a shuffle (the picture must not change: tests use it)
   std::function<void(std::size_t done, std::size_t total)> progress;  // tiles; called from any thread
