@@ -177,7 +177,7 @@ Family measure_fresnel(Session& session) {
   Plot dielectric = measure_plot(session, dielectrics(), "index of refraction",
                                  {std::begin(dielectric_indices), std::end(dielectric_indices)},
                                  {"F_Schlick", "F_SchlickGaussian", "F_SchlickGaussianSingle", "F_SchlickTwoPercent",
-                                  "F_SchlickRough", "F_CookTorrance", "F_Dielectric"});
+                                  "F_SchlickRough", "F_CookTorrance", "F_Gotanda", "F_Dielectric"});
   dielectric.id = "fresnel-dielectric";
   dielectric.title = "Dielectrics";
   dielectric.domain = "indices 1.33, 1.5, 1.8 and 2.4, VoH from 0 to 1; roughness 0.5 where a method wants one";
@@ -187,10 +187,11 @@ Family measure_fresnel(Session& session) {
   Plot metal =
       measure_plot(session, metals, "metal and channel", spread(0, double(metals.size()) - 1, int(metals.size())),
                    {"F_Schlick", "F_SchlickGaussian", "F_SchlickGaussianSingle", "F_Schlick82", "F_LazanyiSzirmayKalos",
-                    "F_Gulbrandsen", "F_CookTorrance", "F_Conductor"});
+                    "F_Gulbrandsen", "F_CookTorrance", "F_Gotanda", "F_Conductor"});
   metal.id = "fresnel-metal";
   metal.title = "Measured metals";
-  metal.domain = "silver, gold, copper, aluminium, chromium, nickel, tungsten, each in red, green and blue; VoH 0 to 1";
+  metal.domain =
+      "silver, gold, copper, aluminium, chromium, iron, nickel, tungsten, each in red, green and blue; VoH 0 to 1";
   metal.truth = "the exact equations with the measured complex index";
   Family family;
   family.id = "fresnel";
