@@ -29,6 +29,7 @@ void background(const BackgroundArgs&);
 
 void dfg_table(const DfgTableArgs&);  // bake.cpp
 void equirect_to_cube(const EquirectToCubeArgs&);
+void faces_to_cube(const FacesToCubeArgs&);
 void prefilter_cube(const PrefilterCubeArgs&);
 
 void encode(const EncodeArgs&);  // image.cpp

@@ -35,6 +35,7 @@ const Kernels kernels = {
     background,
     dfg_table,
     equirect_to_cube,
+    faces_to_cube,
     prefilter_cube,
     encode,
     downsample,

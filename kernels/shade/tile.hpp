@@ -11,6 +11,7 @@
 #include "kernels/light/environment.hpp"
 #include "kernels/light/punctual.hpp"
 #include "kernels/math/vector.hpp"
+#include "kernels/shade/environment_options.hpp"
 #include "kernels/shade/surface.hpp"
 #include "kernels/simd.hpp"
 
@@ -88,7 +89,9 @@ inline void shade_tile(const ShadeArgs& args) {
     Vec3<Float> radiance = {Float(0), Float(0), Float(0)};
     if constexpr (Features & feature_lights) radiance = shade_lights(point, args.lights, args.light_count);
     if constexpr (Features & feature_environment)
-      radiance = radiance + shade_environment(point, args.environment, args.dfg);
+      radiance = radiance + (is_plain(args.environment_shading, args.environment)
+                                 ? shade_environment(point, args.environment, args.dfg)
+                                 : shade_environment_options(point, args));
     if constexpr (Features & feature_emissive) radiance = radiance + load_clamped(g.emissive, i, 0, max_radiance);
     if constexpr (Features & feature_unlit)
       radiance = select<Float>(load<Float>(g.unlit + i) > Float(0.5), surface.base_color, radiance);

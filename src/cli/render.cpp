@@ -88,6 +88,7 @@ void run_render(const Options& options) {
   settings.height = size[1];
   settings.samples = options.samples;
   settings.threads = options.machine.threads;
+  settings.environment_shading = parse_environment_shading(options.lighting);
   set_background(options.picture, false, kernels, settings);
   validate(settings);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
@@ -114,6 +115,7 @@ void run_render(const Options& options) {
   ChosenEnvironment environment;
   with_threads([&] { environment = make_environment(options.lighting, !scene.lights.empty(), kernels); });
   run.environment_ms = watch.ms();
+  scene.lights.insert(scene.lights.end(), environment.lights.begin(), environment.lights.end());
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("preparing the scene");

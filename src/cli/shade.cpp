@@ -54,6 +54,7 @@ void run_shade(const Options& options) {
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
   RenderSettings settings;
   settings.threads = options.machine.threads;
+  settings.environment_shading = parse_environment_shading(options.lighting);
   set_background(options.picture, false, kernels, settings);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -77,6 +78,7 @@ void run_shade(const Options& options) {
   ChosenEnvironment environment;
   with_threads([&] { environment = make_environment(options.lighting, !lights.empty(), kernels); });
   run.environment_ms = watch.ms();
+  lights.insert(lights.end(), environment.lights.begin(), environment.lights.end());
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("shading");

@@ -187,6 +187,7 @@ void Renderer::render(const View& view, const RenderSettings& settings, const Fr
     in.materials = s.materials;
     in.setup = s.geometry.setup();
     s.lighting.apply(in);
+    in.environment_shading = settings.environment_shading;
     const BackgroundSource background = s.lighting.background(settings);
     for_each_tile(TileGrid(settings.width, settings.height), settings, s.workers, statistics,
                   [&](Worker& worker, const TileRect& rect) {
@@ -227,6 +228,7 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
     in.view = view.transform;
     in.pattern = kernels.sample_pattern(gbuffer.samples);
     lighting.apply(in);
+    in.environment_shading = settings.environment_shading;
     const BackgroundSource background = lighting.background(settings);
     std::vector<std::unique_ptr<Worker>> workers;
     for_each_tile(TileGrid(gbuffer.width, gbuffer.height), settings, workers, statistics,

@@ -138,6 +138,7 @@ void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32
   args.light_count = static_cast<std::uint32_t>(in.lights.size());
   args.environment = in.environment;
   args.dfg = in.dfg;
+  args.environment_shading = in.environment_shading;
   const std::array<float*, 3> radiance = fragments.radiance(first);
   std::copy(radiance.begin(), radiance.end(), args.radiance);
   in.kernels->shade(args);

@@ -23,6 +23,7 @@ struct TileInputs {
   std::span<const MaterialView> materials;  // per binding
   std::span<const LightView> lights;
   EnvironmentView environment;  // read only if frame_features has feature_environment
+  EnvironmentShading environment_shading;
   DfgView dfg;
   std::uint32_t frame_features;
   std::span<const SetupTriangle> setup;
