@@ -182,7 +182,7 @@ Plot spheres_in(Session& session, const World& world, const DfgView& dfg,
   plot.domain = "r 0.1 to 1; metal of base colour 1 and 0.5, dielectric of 0.5";
   plot.truth = "Monte Carlo of BRDF times environment (tessera reference)";
   plot.measure = Measure::mean;
-  const int side = session.quick ? 10 : 24, rounds = session.quick ? 96 : 512;
+  const int side = session.quick ? 10 : 24, rounds = session.quick ? 192 : 1024;
   const std::vector<double> roughness = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0};
   struct Dot {
     Vec3 n;
@@ -261,6 +261,7 @@ Family measure_ibl(Session& session) {
   const std::size_t first = family.plots.size();
   for (const World& world : worlds) family.plots.push_back(spheres_in(session, world, dfg.view(), costs));
   family.plots.push_back(prefilter_plot(session, worlds[0]));
+  family.plots.push_back(level_plot(session, worlds[1]));
   family.plots.push_back(format_plot(session, worlds[0]));
 
   const std::string isa = kernels.isa;
@@ -288,6 +289,12 @@ Family measure_ibl(Session& session) {
   family.findings.push_back(fmt::format(
       "Prefiltering by sums over a tree errs by {} at {:.0f} ns a texel; {} by {} at {:.0f} ns.",
       number(sums.method.max), sums.cost.at(isa).ns, points.title, number(points.method.max), points.cost.at(isa).ns));
+  const Plot& levels = family.plots[first + worlds.size() + 1];
+  const auto between = [&](std::size_t k) { return number(levels.points[k].method.mean); };
+  family.findings.push_back(fmt::format(
+      "Between levels a lookup mixes two lobes: six levels err by {} on average over roughness with even steps of it, "
+      "by {} with a curve of 0.5, by {} with r (2 - r); seven by {}, {} and {}.",
+      between(3), between(4), between(5), between(6), between(7), between(8)));
   return family;
 }
 

@@ -19,34 +19,41 @@ namespace {
 
 using reference::Vec3;
 
+// Mean of a level's radiance over the round lobe about an axis.
+double convolved(const CubeLevel& finest, const Vec3& axis, double r) {
+  const double alpha2 = r * r * r * r;
+  double sum = 0, weights = 0;
+  for (int f = 0; f < 6; ++f)
+    for (int b = 0; b < finest.size; ++b)
+      for (int a = 0; a < finest.size; ++a) {
+        const CubeDirection e = texel_direction(f, a, b, finest.size);
+        const double NoL = axis.x * double(e.x) + axis.y * double(e.y) + axis.z * double(e.z);
+        if (NoL <= 0) continue;
+        const double t = alpha2 + (1 - alpha2) * (1 - NoL) / 2, weight = NoL / (t * t) * double(e.solid_angle);
+        sum += weight * double(finest.face(f)[(b * finest.size + a) * 4 + 1]);
+        weights += weight;
+      }
+  return sum / weights;
+}
+
 // Root mean square error of the levels against sums over all texels of level 0, relative to each level's RMS.
 Error prefilter_error(const Cube& cube, const CubeLevel& finest, bool quick, const Kernels& kernels) {
   std::mt19937 random(7);
   Error error;
   for (int level = 1; level < cube.levels(); ++level) {
     const int n = cube.size() >> level;
-    const double r = double(roughness_of_level(level, cube.levels())), alpha2 = r * r * r * r;
+    const double r = double(roughness_of_level(level, cube.levels()));
     double squares = 0, errors = 0;
     for (int k = 0; k < (quick ? 30 : 120); ++k) {
       const int face = int(random() % 6), i = int(random() % unsigned(n)), j = int(random() % unsigned(n));
       const CubeDirection d = texel_direction(face, i, j, n);
-      double sum = 0, weights = 0;
-      for (int f = 0; f < 6; ++f)
-        for (int b = 0; b < finest.size; ++b)
-          for (int a = 0; a < finest.size; ++a) {
-            const CubeDirection e = texel_direction(f, a, b, finest.size);
-            const double NoL = double(d.x) * double(e.x) + double(d.y) * double(e.y) + double(d.z) * double(e.z);
-            if (NoL <= 0) continue;
-            const double t = alpha2 + (1 - alpha2) * (1 - NoL) / 2, weight = NoL / (t * t) * double(e.solid_angle);
-            sum += weight * double(finest.face(f)[(b * finest.size + a) * 4 + 1]);
-            weights += weight;
-          }
+      const double expected = convolved(finest, {double(d.x), double(d.y), double(d.z)}, r);
       const std::size_t row = std::size_t(n) + 2, first = cube_level_offset(cube.size(), level);
       const std::size_t at = first + (std::size_t(face) * row + std::size_t(j) + 1) * row + std::size_t(i) + 1;
       float texel[4];
       kernels.unpack_half(cube.texels().data() + at * 4, texel, 4);
-      squares += sum / weights * (sum / weights);
-      errors += (double(texel[1]) - sum / weights) * (double(texel[1]) - sum / weights);
+      squares += expected * expected;
+      errors += (double(texel[1]) - expected) * (double(texel[1]) - expected);
     }
     const double rms = std::sqrt(errors / squares);
     error.max = std::max(error.max, rms);
@@ -100,6 +107,70 @@ Plot prefilter_plot(Session& session, const World& world) {
   };
   for (const int size : session.quick ? std::vector{64} : std::vector{64, 128, 256}) add(size, 0);
   for (const int samples : session.quick ? std::vector{64, 512} : std::vector{32, 128, 512, 2048}) add(64, samples);
+  return plot;
+}
+
+Plot level_plot(Session& session, const World& world) {
+  Plot plot;
+  plot.id = "ibl-levels";
+  plot.title = "How many levels, and which roughness they hold";
+  plot.error_name = "mean over r of the RMS error of lookups, of their RMS";
+  plot.domain = "r 0.1 to 1, trilinear lookups all over the sphere, 128 x 128, in " + world.title;
+  plot.truth = "the lobe's integral at that roughness";
+  plot.measure = Measure::mean;
+  const CubeLevel level = level_of(world, 128);
+  const int steps = session.quick ? 9 : 18, count = session.quick ? 24 : 96;
+  std::mt19937 random(6);
+  std::normal_distribution<double> gauss;
+  std::vector<Vec3> axes;
+  for (int k = 0; k < steps * count; ++k) {
+    const double x = gauss(random), y = gauss(random), z = gauss(random);
+    axes.push_back(normalize(Vec3{x, y, z}));
+  }
+  const std::vector<double> roughness = spread(0.1, 1, steps);
+  std::vector<double> truth(axes.size());
+  parallel_for(axes.size(),
+               [&](std::size_t i) { truth[i] = convolved(level, axes[i], roughness[i / std::size_t(count)]); });
+  const Kernels& kernels = *session.kernels.back();
+  for (const int levels : {5, 6, 7, 8})
+    for (const float curve : {0.0f, 0.5f, 1.0f}) {
+      Point point;
+      point.id = fmt::format("ibl-levels-{}-{}", levels, int(curve * 100));
+      point.title = fmt::format("{} levels, curve {}", levels, curve);
+      point.formula = "level = (levels - 1) r (1 + c (1 - r))";
+      point.paper = curve == 1 ? "Filament: r (2 - r)" : curve == 0 ? "even steps" : "";
+      point.file = "src/precompute/prefilter.cpp";
+      session.progress(plot.id + ": " + point.title);
+      const Cube cube = prefiltered(level, levels, 0, kernels, curve);
+      const std::size_t texels = cube.texels().size() / 4;
+      run_with_threads(1, [&] {
+        point.cost[kernels.isa] = session.time(texels, [&] { (void)prefiltered(level, levels, 0, kernels, curve); });
+      });
+      for (int step = 0; step < steps; ++step) {
+        const double r = roughness[std::size_t(step)];
+        double squares = 0, errors = 0;
+        for (int k = 0; k < count; ++k) {
+          const std::size_t i = std::size_t(step * count + k);
+          alignas(64) float zero[max_lanes] = {}, out[3][max_lanes];
+          kernels.background({{float(axes[i].x), float(axes[i].y), float(axes[i].z)},
+                              {},
+                              {},
+                              cube.view(),
+                              float((levels - 1) * r * (1 + double(curve) * (1 - r))),
+                              zero,
+                              zero,
+                              1,
+                              {out[0], out[1], out[2]}});
+          errors += (double(out[1][0]) - truth[i]) * (double(out[1][0]) - truth[i]);
+          squares += truth[i] * truth[i];
+        }
+        const double rms = std::sqrt(errors / squares);
+        point.method.mean += rms / steps;
+        point.method.max = std::max(point.method.max, rms);
+      }
+      point.method.rms = point.method.mean;
+      plot.points.push_back(point);
+    }
   return plot;
 }
 

@@ -36,6 +36,7 @@ std::vector<World> make_worlds(const Kernels& kernels);
 
 /// Ways to prefilter, and formats of texels: plots of the family, in ibl_bake.cpp.
 Plot prefilter_plot(Session& session, const World& world);
+Plot level_plot(Session& session, const World& world);
 Plot format_plot(Session& session, const World& world);
 
 }  // namespace tessera::chart

@@ -180,15 +180,15 @@ class Filter {
 
 }  // namespace
 
-float roughness_of_level(int level, int levels) {
+float roughness_of_level(int level, int levels, float c) {
   // lod = (levels - 1) r (1 + c (1 - r)), solved for r.
   if (levels == 1) return 0;
-  const float x = float(level) / float(levels - 1), c = prefilter_curve;
+  const float x = float(level) / float(levels - 1);
   if (c == 0 || level == 0 || level == levels - 1) return x;
   return 2 * x / (1 + c + std::sqrt((1 + c) * (1 + c) - 4 * c * x));
 }
 
-Cube prefiltered(CubeLevel radiance, int levels, int samples, const Kernels& kernels) {
+Cube prefiltered(CubeLevel radiance, int levels, int samples, const Kernels& kernels, float curve) {
   Cube specular(radiance.size, levels);
   specular.store(0, radiance, kernels);
   if (levels == 1) return specular;
@@ -196,7 +196,7 @@ Cube prefiltered(CubeLevel radiance, int levels, int samples, const Kernels& ker
   const Cube mips = samples > 0 ? filter.mips() : Cube();
   for (int k = 1; k < levels; ++k) {
     const int size = specular.size() >> k;
-    const float r = roughness_of_level(k, levels);
+    const float r = roughness_of_level(k, levels, curve);
     specular.store(k, samples > 0 ? filter.sampled(size, r, samples, mips) : filter.summed(size, r), kernels);
   }
   return specular;
