@@ -26,7 +26,7 @@ target_link_libraries(tessera_charts PUBLIC tessera_core PRIVATE PkgConfig::RSVG
 if(TESSERA_BUILD_BENCH)
   find_package(benchmark REQUIRED)
   # families.cpp: one row per family_NAME.cpp, which has measure_NAME.
-  set(known fresnel distribution masking diffuse energy function dfg sampling)
+  set(known fresnel distribution masking diffuse energy function dfg sampling ibl)
   set(names)
   foreach(source IN LISTS TESSERA_CHART_FAMILY_SOURCES)
     string(REGEX REPLACE ".*/family_([a-z]+)\\.cpp$" "\\1" name ${source})

@@ -266,10 +266,33 @@ inline constexpr std::size_t cube_level_offset(int size, int level) {  // in tex
 }
 
 struct EnvironmentView {
-  CubeView specular;    // level k holds GGX-prefiltered radiance for r = k / (levels - 1)
+  CubeView specular;    // level (levels - 1) r (1 + lod_curve (1 - r)) holds GGX-prefiltered radiance for roughness r
   CubeView background;  // plain radiance with mips; the visible background
   float irradiance_sh[9]
                      [3];  // E(n) / pi = c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3zz - 1) + c7 xz + c8 (xx - yy)
+  float lod_curve = 0;     // 0 .. 1; 0: r = k / (levels - 1)
+  CubeView irradiance = {};  // E(n) / pi, level 0; without texels irradiance_sh is used
+};
+
+// How the specular lobe is looked up in prefiltered radiance, which knows only lobes that are round (n = v = r).
+enum class EnvironmentLobe : std::uint32_t {
+  mirror,   // one lookup along the mirror direction
+  shifted,  // one, along the lobe's dominant direction: Lagarde and de Rousiers 2014
+  taps2,    // two along the lobe's long axis, weighted by the BRDF
+  taps4,    // four
+  points8,  // eight fixed points of the lobe, each with the width that it stands for
+};
+
+// Which reflectance at normal incidence the environment's single scattering has (Fdez-Aguera 2019).
+enum class EnvironmentFresnel : std::uint32_t {
+  roughness,  // kS, which falls with roughness: the published code
+  f0,         // F0: the derivation
+};
+
+struct EnvironmentShading {
+  EnvironmentLobe lobe = EnvironmentLobe::mirror;
+  EnvironmentFresnel fresnel = EnvironmentFresnel::roughness;
+  bool specular_occlusion = false;  // occlusion of reflections by roughness and angle, not by occlusion alone
 };
 
 struct DfgView {        // directional albedo of the specular lobe: integral f = F0 A + F90 B
@@ -299,6 +322,7 @@ struct ShadeArgs {
   // Where the next fragments will be read from memory: that many floats ahead in every plane lies what is fetched
   // meanwhile. 0: the planes are in the cache already, as a tile's are.
   std::uint32_t fetch_ahead;
+  EnvironmentShading environment_shading = {};
 };
 
 // Lights as culling sees them: spheres. Arrays padded to max_lanes.
@@ -346,13 +370,26 @@ struct EquirectView {   // radiance; column u = 0.5 + atan2(z, x) / 2pi, row v =
 struct CubeRows {  // rows of one face that a kernel fills, without the border
   int face, size;
   int row_begin, row_end;
-  float* out;  // RGBA, size * size of the whole face
+  float* out;                         // RGBA, size * size of the whole face
+  int column_begin = 0, columns = 0;  // a power of two of them; 0: all
 };
 
 struct EquirectToCubeArgs {
   EquirectView source;
   float rotation[2];  // cos, sin: the environment is turned about +Y, counter-clockwise seen from above
   int samples;        // per texel, along each side: a box filter over samples^2 bilinear lookups
+  CubeRows rows;
+};
+
+struct CubeFacesView {  // radiance on six faces of any size, in the order and orientation of a CubeView
+  const float* texels;  // RGB, stride 3, finite and non-negative; 6 * size * size < 2^29
+  int size;
+};
+
+struct FacesToCubeArgs {
+  CubeFacesView source;
+  float rotation[2];  // cos, sin: as EquirectToCubeArgs::rotation
+  int samples;        // per texel, along each side
   CubeRows rows;
 };
 
@@ -370,11 +407,13 @@ struct PointSources {
   const float *red, *green, *blue;  // radiance times solid angle
   int count;
   float alpha2, scale;  // the lobe: scale c / (alpha2 + (1 - alpha2) (1 - c) / 2)^2 at cosine c from its axis
+  const float* solid_angle = nullptr;  // of each source, if they are all there is: the sum is then a weighted mean over
+                                       // them, and `scale` does not matter
 };
 
 struct PrefilterCubeArgs {
   CubeView radiance;  // bordered mips of plain radiance
-  LobeSamples lobe;
+  LobeSamples lobe;   // none: points alone
   CubeRows rows;
   PointSources points;
 };
@@ -466,6 +505,7 @@ struct Kernels {
   // entry/bake.cpp
   void (*dfg_table)(const DfgTableArgs&);
   void (*equirect_to_cube)(const EquirectToCubeArgs&);
+  void (*faces_to_cube)(const FacesToCubeArgs&);
   void (*prefilter_cube)(const PrefilterCubeArgs&);
 
   // entry/image.cpp

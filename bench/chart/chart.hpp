@@ -83,6 +83,7 @@ Family measure_energy(Session&);
 Family measure_function(Session&);
 Family measure_dfg(Session&);
 Family measure_sampling(Session&);
+Family measure_ibl(Session&);
 
 /// Times a term (kernels/terms.hpp) on every instruction set of the session, over arrays that lie in the first-level
 /// cache. inputs: as many equally long arrays as it takes.

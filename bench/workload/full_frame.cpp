@@ -10,6 +10,7 @@ FullFrame::FullFrame(const Mesh& mesh, const Surroundings& surroundings, const L
   settings_.samples = 1;
   settings_.background = Background::color;
   settings_.hash = false;
+  settings_.environment_shading = {};  // one lookup along the mirror direction: the workload's own formula
 }
 
 void FullFrame::render(const Kernels& kernels, float* rgba) {

@@ -1,6 +1,7 @@
-// From an equirectangular picture to the faces of a cube.
+// From an equirectangular picture, or other faces, to the faces of a cube.
 #pragma once
 #include "kernels/interface.hpp"
+#include "kernels/light/environment.hpp"
 #include "kernels/math/approx.hpp"
 #include "kernels/math/vector.hpp"
 
@@ -47,6 +48,30 @@ inline Vec3<F> sample_equirect(const EquirectView& source, const Vec3<F>& d) {
   const I j1 = min(j0 + I(1), I(source.height - 1));
 
   const I row0 = j0 * I(source.width), row1 = j1 * I(source.width);
+  const I a = (row0 + i0) * I(3), b = (row0 + i1) * I(3), c = (row1 + i0) * I(3), e = (row1 + i1) * I(3);
+  const auto channel = [&](int k) {
+    const float* texels = source.texels + k;
+    const F above = lerp(gather(texels, a), gather(texels, b), fx);
+    const F below = lerp(gather(texels, c), gather(texels, e), fx);
+    return lerp(above, below, fy);
+  };
+  const F red = channel(0), green = channel(1), blue = channel(2);
+  return {red, green, blue};
+}
+
+/// Bilinear lookup along d (finite, not zero, need not be unit) in the face that it meets, clamped at the face's edge.
+template <class F>
+inline Vec3<F> sample_faces(const CubeFacesView& source, const Vec3<F>& d) {
+  using I = IntOf<F>;
+  const CubePoint<F> p = cube_point(d);
+  const F half = F(source.size) * F(0.5), middle = half - F(0.5), last = F(source.size - 1);
+  const F x = clamp(mul_add(p.s, half, middle), F(0), last);
+  const F y = clamp(mul_add(p.t, half, middle), F(0), last);
+  const I i0 = truncate_to_int(x), j0 = truncate_to_int(y), end = I(source.size - 1);
+  const I i1 = min(i0 + I(1), end), j1 = min(j0 + I(1), end);
+  const F fx = x - to_float(i0), fy = y - to_float(j0);
+  const I size = I(source.size);
+  const I row0 = (p.face * size + j0) * size, row1 = (p.face * size + j1) * size;
   const I a = (row0 + i0) * I(3), b = (row0 + i1) * I(3), c = (row1 + i0) * I(3), e = (row1 + i1) * I(3);
   const auto channel = [&](int k) {
     const float* texels = source.texels + k;

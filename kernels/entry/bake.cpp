@@ -12,21 +12,26 @@ struct TexelBlock {
   int count;
 };
 
+inline int columns_of(const CubeRows& rows) { return rows.columns > 0 ? rows.columns : rows.size; }
+
 inline TexelBlock texel_block(const CubeRows& rows, int first, int end) {
   const Int index = min(lane_index() + Int(first), Int(end - 1));
-  const Float row = floor(to_float(index) / Float(rows.size));  // exact: size is a power of two, the index below 2^24
-  const Float column = to_float(index) - row * Float(rows.size);
+  const Float width = Float(columns_of(rows));
+  const Float row = floor(to_float(index) / width);  // exact: width is a power of two, the index below 2^24
+  const Float column = to_float(index) - row * width;
   const int left = end - first;
-  return {column, row, left < Float::lanes ? left : Float::lanes};
+  return {column + Float(rows.column_begin), row + Float(rows.row_begin), left < Float::lanes ? left : Float::lanes};
 }
 
-inline void store_texels(float* out, int first, const TexelBlock& block, const Vec3<Float>& color) {
+inline void store_texels(const CubeRows& rows, int first, int count, const Vec3<Float>& color) {
   float r[Float::lanes], g[Float::lanes], b[Float::lanes];
   store(r, color.x);
   store(g, color.y);
   store(b, color.z);
-  float* texel = out + std::size_t(first) * 4;
-  for (int k = 0; k < block.count; ++k, texel += 4) {
+  const int width = columns_of(rows);
+  for (int k = 0; k < count; ++k) {
+    const int row = rows.row_begin + (first + k) / width, column = rows.column_begin + (first + k) % width;
+    float* texel = rows.out + (std::size_t(row) * std::size_t(rows.size) + std::size_t(column)) * 4;
     texel[0] = r[k];
     texel[1] = g[k];
     texel[2] = b[k];
@@ -37,11 +42,34 @@ inline void store_texels(float* out, int first, const TexelBlock& block, const V
 // for_texels(rows, f): f(i, j) -> radiance of texel i of row j, for all texels of the rows.
 template <class Function>
 inline void for_texels(const CubeRows& rows, const Function& f) {
-  const int end = rows.row_end * rows.size;
-  for (int first = rows.row_begin * rows.size; first < end; first += Float::lanes) {
+  const int end = (rows.row_end - rows.row_begin) * columns_of(rows);
+  for (int first = 0; first < end; first += Float::lanes) {
     const TexelBlock block = texel_block(rows, first, end);
-    store_texels(rows.out, first, block, f(block.i, block.j));
+    store_texels(rows, first, block.count, f(block.i, block.j));
   }
+}
+
+// Each texel the mean of samples^2 points of it, looked up along the picture's own directions.
+template <class Lookup>
+inline void resample(const CubeRows& rows, int n, const float rotation[2], const Lookup& lookup) {
+  const Float step = Float(2.0f / (float(rows.size) * float(n)));
+  const Float cosine = Float(rotation[0]), sine = Float(rotation[1]);
+  const Float share = Float(float(n) * float(n));
+  for_texels(rows, [&](Float i, Float j) {
+    Vec3<Float> sum{Float(0), Float(0), Float(0)};
+    for (int b = 0; b < n; ++b) {
+      const Float t = mul_sub(mul_add(j, Float(n), Float(float(b) + 0.5f)), step, Float(1));
+      for (int a = 0; a < n; ++a) {
+        const Float s = mul_sub(mul_add(i, Float(n), Float(float(a) + 0.5f)), step, Float(1));
+        const Vec3<Float> d = face_direction(rows.face, s, t);
+        // Back into the picture's own orientation: turned by minus the rotation about +Y.
+        const Float x = difference_of_products(d.x, cosine, d.z, sine);
+        const Float z = mul_add(d.x, sine, d.z * cosine);
+        sum = sum + lookup(Vec3<Float>{x, d.y, z});
+      }
+    }
+    return Vec3<Float>{sum.x / share, sum.y / share, sum.z / share};
+  });
 }
 
 }  // namespace
@@ -66,25 +94,12 @@ void dfg_table(const DfgTableArgs& args) {
 }
 
 void equirect_to_cube(const EquirectToCubeArgs& args) {
-  const int n = args.samples;
-  const Float step = Float(2.0f / (float(args.rows.size) * float(n)));
-  const Float cosine = Float(args.rotation[0]), sine = Float(args.rotation[1]);
-  const Float share = Float(float(n) * float(n));
-  for_texels(args.rows, [&](Float i, Float j) {
-    Vec3<Float> sum{Float(0), Float(0), Float(0)};
-    for (int b = 0; b < n; ++b) {
-      const Float t = mul_sub(mul_add(j, Float(n), Float(float(b) + 0.5f)), step, Float(1));
-      for (int a = 0; a < n; ++a) {
-        const Float s = mul_sub(mul_add(i, Float(n), Float(float(a) + 0.5f)), step, Float(1));
-        const Vec3<Float> d = face_direction(args.rows.face, s, t);
-        // Back into the picture's own orientation: turned by minus the rotation about +Y.
-        const Float x = difference_of_products(d.x, cosine, d.z, sine);
-        const Float z = mul_add(d.x, sine, d.z * cosine);
-        sum = sum + sample_equirect(args.source, Vec3<Float>{x, d.y, z});
-      }
-    }
-    return Vec3<Float>{sum.x / share, sum.y / share, sum.z / share};
-  });
+  resample(args.rows, args.samples, args.rotation,
+           [&](const Vec3<Float>& d) { return sample_equirect(args.source, d); });
+}
+
+void faces_to_cube(const FacesToCubeArgs& args) {
+  resample(args.rows, args.samples, args.rotation, [&](const Vec3<Float>& d) { return sample_faces(args.source, d); });
 }
 
 void prefilter_cube(const PrefilterCubeArgs& args) {

@@ -31,6 +31,7 @@ void store_pixels(const StorePixelsArgs&);
 
 void dfg_table(const DfgTableArgs&);  // bake.cpp
 void equirect_to_cube(const EquirectToCubeArgs&);
+void faces_to_cube(const FacesToCubeArgs&);
 void prefilter_cube(const PrefilterCubeArgs&);
 
 void encode(const EncodeArgs&);  // image.cpp

@@ -6,30 +6,39 @@
 
 namespace tessera::TESSERA_ISA {
 
+namespace {
+
+// The sets that scenes are made of have their own instance; the others run the next larger one.
+template <bool plain>
+void shade_lit_by_environment(const ShadeArgs& args) {
+  constexpr std::uint32_t lit = feature_lights | feature_environment;
+  if (args.features == feature_environment) return shade_tile<feature_environment, plain>(args);
+  if (args.features == lit) return shade_tile<lit, plain>(args);
+  return shade_tile<feature_all, plain>(args);
+}
+
+}  // namespace
+
 void shade(const ShadeArgs& given) {
   // What these fragments use and this scene has.
   ShadeArgs args = given;
   if (!(args.features & feature_lights)) args.light_count = 0;
   if (args.light_count == 0) args.features &= ~feature_lights;
   if (!args.environment.specular.texels) args.features &= ~feature_environment;
-  // The sets that scenes are made of have their own instance; the others run the next larger one.
-  constexpr std::uint32_t lit = feature_lights | feature_environment;
+  if (args.features & feature_environment) {
+    return is_plain(args.environment_shading, args.environment) ? shade_lit_by_environment<true>(args)
+                                                                : shade_lit_by_environment<false>(args);
+  }
   switch (args.features) {
     case 0:
-      return shade_tile<0>(args);
+      return shade_tile<0, true>(args);
     case feature_lights:
-      return shade_tile<feature_lights>(args);
-    case feature_environment:
-      return shade_tile<feature_environment>(args);
-    case lit:
-      return shade_tile<lit>(args);
+      return shade_tile<feature_lights, true>(args);
     case feature_unlit:
-      return shade_tile<feature_unlit>(args);
+      return shade_tile<feature_unlit, true>(args);
     default:
-      break;
+      return shade_tile<feature_all & ~feature_environment, true>(args);
   }
-  if (args.features & feature_environment) return shade_tile<feature_all>(args);
-  return shade_tile<feature_all & ~feature_environment>(args);
 }
 
 void background(const BackgroundArgs& args) {

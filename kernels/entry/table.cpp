@@ -37,6 +37,7 @@ const Kernels kernels = {
     store_pixels,
     dfg_table,
     equirect_to_cube,
+    faces_to_cube,
     prefilter_cube,
     encode,
     downsample,

@@ -11,6 +11,7 @@
 #include "kernels/light/punctual.hpp"
 #include "kernels/math/approx.hpp"
 #include "kernels/math/vector.hpp"
+#include "kernels/shade/environment_options.hpp"
 #include "kernels/shade/lookups.hpp"
 #include "kernels/shade/surface.hpp"
 #include "kernels/simd.hpp"
@@ -63,19 +64,18 @@ TESSERA_INLINE void add_light(const ShadingPoint<F>& p, const GGXLobe<F>& lobe, 
   add(sums.grazing, grazing_part);
 }
 
-/// Radiance towards the eye from all punctual lights: sum of BRDF * irradiance. beside(i) is called with light i.
+/// Radiance towards the eye from all punctual lights: sum of BRDF * irradiance. beside() is called with each light.
 template <class F, class Beside>
-TESSERA_INLINE Vec3<F> shade_lights(const ShadingPoint<F>& p, const LightView* lights, const std::uint32_t* list,
-                                    std::uint32_t count, const Beside& beside) {
+TESSERA_INLINE Vec3<F> shade_lights(const ShadingPoint<F>& p, const ShadeArgs& args, const Beside& beside) {
   const F r = max(p.roughness, F(min_punctual_roughness));
   const GGXLobe<F> lobe = ggx_lobe(p.NoV, r * r);
   const Vec3<F> v_tangential = {neg_mul_add(p.n.x, p.nv, p.v.x), neg_mul_add(p.n.y, p.nv, p.v.y),
                                 neg_mul_add(p.n.z, p.nv, p.v.z)};
   const Vec3<F> zero = {F(0), F(0), F(0)};
   LightSums<F> sums = {zero, zero, zero};
-  for (std::uint32_t i = 0; i < count; ++i) {
-    beside(i);
-    const LightView& light = lights[list != nullptr ? list[i] : i];
+  for (std::uint32_t i = 0; i < args.light_count; ++i) {
+    beside();
+    const LightView& light = args.lights[args.light_list != nullptr ? args.light_list[i] : i];
     switch (kind_of(light)) {
       case LightKind::directional:
         add_light<LightKind::directional>(p, lobe, v_tangential, light, sums);
@@ -141,7 +141,8 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
   prefetch(g.occlusion + i);
 }
 
-template <std::uint32_t Features>
+/// plain: the environment is looked up once along the mirror direction (environment_options.hpp).
+template <std::uint32_t Features, bool plain>
 inline void shade_tile(const ShadeArgs& args) {
   const GBufferView& g = args.gbuffer;
   for (std::uint32_t i = 0; i < args.count; i += Float::lanes) {
@@ -150,18 +151,19 @@ inline void shade_tile(const ShadeArgs& args) {
     const Surface<Float> surface = load_surface(g, i);
     const ShadingPoint<Float> point = shading_point(surface, args.eye);
     Vec3<Float> radiance = {Float(0), Float(0), Float(0)};
-    if constexpr (Features & feature_environment) {
+    if constexpr ((Features & feature_environment) && plain) {
       EnvironmentLookups lookups(point, args.environment, args.dfg);
       std::uint32_t gathered = 0;
       if constexpr (Features & feature_lights) {
-        radiance = shade_lights(point, args.lights, args.light_list, args.light_count, [&](std::uint32_t) {
+        radiance = shade_lights(point, args, [&] {
           if (gathered < EnvironmentLookups::count) lookups.gather(gathered++);
         });
       }
       while (gathered < EnvironmentLookups::count) lookups.gather(gathered++);
       radiance = radiance + shade_environment(point, lookups, args.environment);
-    } else if constexpr (Features & feature_lights) {
-      radiance = shade_lights(point, args.lights, args.light_list, args.light_count, [](std::uint32_t) {});
+    } else {
+      if constexpr (Features & feature_lights) radiance = shade_lights(point, args, [] {});
+      if constexpr (Features & feature_environment) radiance = radiance + shade_environment_options(point, args);
     }
     if constexpr (Features & feature_emissive) radiance = radiance + load_clamped(g.emissive, i, 0, max_radiance);
     if constexpr (Features & feature_unlit)

@@ -1,17 +1,35 @@
 #include "cli/lighting.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "base/error.hpp"
 #include "cli/neutral_environment.hpp"
 #include "cli/parse.hpp"
-#include "io/image_file.hpp"
+#include "frame/environment_file.hpp"
 
 namespace tessera::cli {
 
+namespace {
+constexpr std::array<const char*, 5> lobe_names = {"n=v", "shifted", "taps2", "taps4", "fis8"};  // as EnvironmentLobe
+constexpr std::array<const char*, 2> fresnel_names = {"kS", "f0"};  // as EnvironmentFresnel
+
+template <std::size_t N>
+std::size_t index_of(const std::array<const char*, N>& names, const char* option, const std::string& text) {
+  for (std::size_t k = 0; k < N; ++k)
+    if (text == names[k]) return k;
+  throw usage_error("{} '{}': expected {}", option, text, fmt::join(names, ", "));
+}
+}  // namespace
+
 const char* const lighting_help =
-    R"(Environment maps are equirectangular, any format and size; their values are radiance. With --env-rotation 0, column u
+    R"(Environment maps are equirectangular, any format and size; their values are radiance (pictures of 8 or 16 bits: sRGB,
+decoded to it). With --env-rotation 0, column u
 (0 left, 1 right) and row v (0 top, 1 bottom) show the direction with u = 0.5 + atan2(z, x) / 2pi and v = acos(y) / pi: the
 centre of the map is +X, as in three.js and Khronos' glTF viewer. OpenEXR's own definition of such maps is turned 90 degrees
 against it. A positive rotation turns the environment counter-clockwise about +Y, seen from above.
+Faces of cubes are those of OpenGL and Vulkan: px nx py ny pz nz in a folder, a cross (4:3 or 3:4, +Z in the middle) or a
+strip (+X -X +Y -Y +Z -Z). 'tessera bake' does the work once, into a .tsra.
 Without --env the lights shine alone; without either, a neutral studio is put up.
 
 Lights (--light, as often as needed; colours are linear, angles in degrees from the axis):
@@ -22,7 +40,8 @@ A white diffuse surface that faces 1 lux has radiance 1/pi; an environment of ra
 
 void add_lighting_options(CLI::App& command, LightingOptions& options) {
   const std::string group = "Light";
-  command.add_option("--env", options.environment, "Environment map: .exr, .hdr, .png ...")
+  command
+      .add_option("--env", options.environment, "Environment: .exr .hdr .png .jpg, a folder of cube faces, or .tsra")
       ->type_name("FILE")
       ->group(group);
   command.add_option("--env-rotation", options.rotation, "Turn the environment about +Y")
@@ -32,6 +51,27 @@ void add_lighting_options(CLI::App& command, LightingOptions& options) {
   command.add_option("--env-intensity", options.intensity, "Multiply its radiance")
       ->type_name("FACTOR")
       ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--env-layout", options.layout, "auto, equirect, cross or strip (auto: by the picture's proportions)")
+      ->type_name("LAYOUT")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--env-lobe", options.lobe,
+                  fmt::format("How reflections are looked up: {} (default: {})", fmt::join(lobe_names, ", "),
+                              lobe_names[std::size_t(RenderSettings{}.environment_shading.lobe)]))
+      ->type_name("LOBE")
+      ->group(group);
+  command
+      .add_option("--env-fresnel", options.fresnel,
+                  fmt::format("Reflectance of the environment's single scattering: kS or f0 (default: {})",
+                              fresnel_names[std::size_t(RenderSettings{}.environment_shading.fresnel)]))
+      ->type_name("FORM")
+      ->group(group);
+  command
+      .add_flag("--specular-occlusion", options.specular_occlusion,
+                "Occlude reflections by angle and roughness, not by the occlusion map alone")
       ->group(group);
   command.add_option("--light", options.lights, "Another light; may be repeated: see below")
       ->type_name("SPEC")
@@ -54,20 +94,60 @@ ChosenEnvironment make_environment(const LightingOptions& options, bool has_ligh
   ChosenEnvironment chosen;
   if (options.environment.empty() && has_lights) return chosen;
   chosen.neutral = options.environment.empty();
-  const Image image = chosen.neutral ? neutral_environment() : read_image(options.environment);
+  if (!chosen.neutral && is_baked_environment(options.environment)) {
+    if (options.rotation != 0 || options.intensity != 1)
+      throw usage_error("{}: a baked environment has its rotation and intensity: give them to 'tessera bake'",
+                        options.environment);
+    chosen.environment = std::make_unique<Environment>(read_environment(options.environment));
+    if (const auto& light = chosen.environment->data().light) chosen.lights.push_back(directional_light(*light));
+    return chosen;
+  }
   EnvironmentSettings settings;
   settings.rotation = static_cast<float>(options.rotation * radians_per_degree);
   settings.intensity = static_cast<float>(options.intensity);
-  chosen.environment = std::make_unique<Environment>(build_environment(image, settings, kernels));
+  const EnvironmentPicture picture = chosen.neutral
+                                         ? EnvironmentPicture{neutral_environment(), false}
+                                         : read_environment_picture({options.environment}, options.layout, kernels);
+  chosen.environment = std::make_unique<Environment>(build_environment(picture, settings, kernels));
   // Slightly negative texels are ordinary ringing of a resize; they are taken as 0 and not worth a word.
-  const EnvironmentReport& report = chosen.environment->report();
-  if (report.non_finite != 0)
-    chosen.warnings.push_back(
-        fmt::format("{}: {} texels are infinite or not a number: taken as 0", options.environment, report.non_finite));
-  if (report.clamped != 0)
-    chosen.warnings.push_back(fmt::format("{}: {} texels of the cubemap are brighter than 65504: clamped to it",
-                                          options.environment, report.clamped));
+  chosen.warnings = environment_warnings(options.environment, chosen.environment->report(), false);
   return chosen;
+}
+
+std::vector<std::string> environment_warnings(const std::string& name, const EnvironmentReport& report,
+                                              bool negative_too) {
+  std::vector<std::string> warnings;
+  if (report.non_finite != 0)
+    warnings.push_back(fmt::format("{}: {} texels are infinite or not a number: taken as 0", name, report.non_finite));
+  if (report.negative != 0 && negative_too)
+    warnings.push_back(fmt::format("{}: {} texels are negative: taken as 0", name, report.negative));
+  if (report.clamped != 0)
+    warnings.push_back(
+        fmt::format("{}: {} texels of the cubemap are brighter than 65504: clamped to it", name, report.clamped));
+  return warnings;
+}
+
+EnvironmentShading parse_environment_shading(const LightingOptions& options) {
+  EnvironmentShading shading = RenderSettings{}.environment_shading;
+  if (!options.lobe.empty())
+    shading.lobe = static_cast<EnvironmentLobe>(index_of(lobe_names, "--env-lobe", options.lobe));
+  if (!options.fresnel.empty())
+    shading.fresnel = static_cast<EnvironmentFresnel>(index_of(fresnel_names, "--env-fresnel", options.fresnel));
+  shading.specular_occlusion |= options.specular_occlusion;
+  return shading;
+}
+
+Light directional_light(const DominantLight& dominant) {
+  Light light;
+  light.name = "environment";
+  light.type = LightType::directional;
+  const float brightest = std::max({dominant.illuminance[0], dominant.illuminance[1], dominant.illuminance[2], 1e-30f});
+  light.intensity = brightest;
+  for (int c = 0; c < 3; ++c) {
+    light.direction[c] = -dominant.direction[c];
+    light.color[c] = dominant.illuminance[c] / brightest;
+  }
+  return light;
 }
 
 }  // namespace tessera::cli

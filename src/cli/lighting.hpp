@@ -12,7 +12,8 @@
 namespace tessera::cli {
 
 struct LightingOptions {
-  std::string environment;
+  std::string environment, layout = "auto", lobe, fresnel;
+  bool specular_occlusion = false;
   double rotation = 0;   // degrees
   double intensity = 1;  // factor
   std::vector<std::string> lights;
@@ -23,13 +24,24 @@ void add_lighting_options(CLI::App& command, LightingOptions& options);
 /// The paragraph of a command's help that tells about orientation and units.
 extern const char* const lighting_help;
 
+/// How the options want the environment to be looked up. Throws Error(usage).
+EnvironmentShading parse_environment_shading(const LightingOptions& options);
+
+/// What an environment's report has to say to a person: negative texels only if asked for.
+std::vector<std::string> environment_warnings(const std::string& name, const EnvironmentReport& report,
+                                              bool negative_too);
+
+/// A dominant light as the renderer knows lights.
+Light directional_light(const DominantLight& light);
+
 /// Those of --light.
 std::vector<Light> parse_lights(const LightingOptions& options);
 
 struct ChosenEnvironment {
   std::unique_ptr<Environment> environment;  // null: lights alone
   std::vector<std::string> warnings;
-  bool neutral = false;  // nobody asked for one, and nothing else would light the scene
+  std::vector<Light> lights;  // that were taken out of it when it was baked
+  bool neutral = false;       // nobody asked for one, and nothing else would light the scene
 };
 
 /// has_lights: whether anything else lights the scene.

@@ -36,6 +36,8 @@ int run(int argc, char** argv) {
   program.require_subcommand(0, 1);  // that there is one is checked below, with a better message
   tessera::cli::add_render(program);
   tessera::cli::add_shade(program);
+  tessera::cli::add_bake(program);
+  tessera::cli::add_reference(program);
   tessera::cli::add_info(program);
   tessera::cli::add_isa(program);
   tessera::cli::add_chart(program);
@@ -43,7 +45,8 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty())
-      throw tessera::usage_error("a command is needed: render, shade, info, isa, chart or furnace ('tessera --help')");
+      throw tessera::usage_error(
+          "a command is needed: render, shade, bake, reference, info, isa, chart or furnace ('tessera --help')");
   } catch (const CLI::CallForHelp&) {
     // Help of the command that was being parsed, not of the whole program.
     const auto chosen = program.get_subcommands();

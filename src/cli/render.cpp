@@ -91,6 +91,7 @@ void run_render(const Options& options) {
   settings.samples = options.samples;
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
+  settings.environment_shading = parse_environment_shading(options.lighting);
   set_background(options.picture, false, kernels, settings);
   validate(settings);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
@@ -119,6 +120,7 @@ void run_render(const Options& options) {
   with_threads([&] { environment = make_environment(options.lighting, !scene.lights.empty(), kernels); });
   run.environment_ms = watch.ms();
   run.end_phase("environment");
+  scene.lights.insert(scene.lights.end(), environment.lights.begin(), environment.lights.end());
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("preparing the scene");

@@ -57,6 +57,7 @@ void run_shade(const Options& options) {
   RenderSettings settings;
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
+  settings.environment_shading = parse_environment_shading(options.lighting);
   set_background(options.picture, false, kernels, settings);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -82,6 +83,7 @@ void run_shade(const Options& options) {
   with_threads([&] { environment = make_environment(options.lighting, !lights.empty(), kernels); });
   run.environment_ms = watch.ms();
   run.end_phase("environment");
+  lights.insert(lights.end(), environment.lights.begin(), environment.lights.end());
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("shading");

@@ -101,6 +101,7 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
     in.view = view.transform;
     in.pattern = kernels.sample_pattern(gbuffer.samples);
     in.lighting = lighting.view();
+    in.environment_shading = settings.environment_shading;
     const BackgroundSource background = lighting.background(settings);
     TileLoop loop;
     loop.run(TileGrid(gbuffer.width, gbuffer.height), settings, statistics,
@@ -109,7 +110,9 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
                load_tile(gbuffer, first, rect, tile);
                worker.tile.clock.lap(Stage::collect);
                const auto count = static_cast<std::uint32_t>(tile.fragments.size());
-               if (count != 0) shade_run(in, tile, 0, count, classify(tile.gbuffer(), count, in.lighting.features));
+               if (count != 0)
+                 shade_run(in, tile, 0, count, classify(tile.gbuffer(), count, in.lighting.features),
+                           worker.tile.light_list);
                worker.tile.clock.lap(Stage::shade);
                finish_tile(worker, rect, gbuffer.samples, background, view, kernels, film);
              });

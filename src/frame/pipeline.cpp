@@ -28,6 +28,7 @@ void FramePipeline::render(const PreparedScene& scene, const View& view, const R
   in.materials = scene.materials;
   in.setup = geometry_.setup();
   in.lighting = scene.lighting;
+  in.environment_shading = settings.environment_shading;
   in.all_planes = static_cast<bool>(visit);
   tiles_.run(TileGrid(settings.width, settings.height), settings, statistics,
              [&](FrameWorker& worker, const TileRect& rect) {

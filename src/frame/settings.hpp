@@ -15,9 +15,13 @@ struct RenderSettings {
   Background background = Background::environment;
   float background_color[3] = {0, 0, 0};  // linear
   float background_blur = 0;              // 0 sharp .. 1 the most blurred mip
-  int threads = 0;                        // 0: all cores
-  bool trace = false;                     // remember when each thread did what: FrameStatistics::profile
-  bool hash = true;                       // compute FrameStatistics::pixel_hash
+  // How an environment is looked up. Against `tessera reference` on spheres of metal and plastic, at grazing angles and
+  // roughness 0.2 to 0.6, this errs by 0.27 (courtyard), 0.47 (interior) and 0.32 (sunset) of what one lookup along the
+  // mirror direction and kS do.
+  EnvironmentShading environment_shading = {EnvironmentLobe::taps4, EnvironmentFresnel::f0, false};
+  int threads = 0;     // 0: all cores
+  bool trace = false;  // remember when each thread did what: FrameStatistics::profile
+  bool hash = true;    // compute FrameStatistics::pixel_hash
 
   std::uint64_t tile_order_seed = 0;  // 0: rows; else a shuffle (the picture must not change: tests use it)
   std::function<void(std::size_t done, std::size_t total)> progress;  // tiles; called from any thread

@@ -16,7 +16,7 @@ const DfgTable& shared_dfg_table(const Kernels& kernels) {
 }  // namespace
 
 Lighting::Lighting(const std::vector<Light>& file_lights, const Environment* env, const Kernels& kernels)
-    : lights(compile_lights(file_lights, kernels)), environment(env) {
+    : lights(compile_lights(file_lights, kernels)), bounds(lights), environment(env) {
   if (!lights.empty()) features |= feature_lights;
   if (environment != nullptr) {
     features |= feature_environment;
@@ -28,6 +28,9 @@ LightingView Lighting::view() const {
   LightingView view;
   view.lights = lights;
   view.features = features;
+  // Below that, asking which lights reach a tile costs more than the few that do not.
+  constexpr std::size_t worth_culling = 5;
+  if (bounds.limited() && lights.size() >= worth_culling) view.bounds = bounds.view();
   if (environment == nullptr) return view;
   view.environment = environment->view();
   view.dfg = dfg->view();

@@ -19,6 +19,7 @@ struct LightingView {
   EnvironmentView environment{};  // read only if features has feature_environment
   DfgView dfg{};
   std::uint32_t features = 0;  // what the frame offers: feature_lights, feature_environment
+  LightBoundsView bounds{};    // of the lights; count 0: all of them are taken everywhere
 };
 
 /// What all tiles of a frame share.
@@ -29,6 +30,7 @@ struct TileInputs {
   SamplePattern pattern;
   std::span<const MaterialView> materials;  // per binding
   LightingView lighting;
+  EnvironmentShading environment_shading;
   std::span<const SetupTriangle> setup;
   bool all_planes;  // someone looks at the G-buffer: resolve what shading does not read, too
 };
@@ -41,6 +43,7 @@ class TileWorker {
   void render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists);
 
   TileFragments fragments;
+  std::vector<std::uint32_t> light_list;  // scratch of shade_run
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -76,6 +79,6 @@ class TileWorker {
 
 /// Shades slots [first, first + count) of the planes.
 void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32_t first, std::uint32_t count,
-               std::uint32_t features);
+               std::uint32_t features, std::vector<std::uint32_t>& light_list);
 
 }  // namespace tessera

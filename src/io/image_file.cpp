@@ -108,9 +108,10 @@ ImageReader open_image(std::span<const std::byte> bytes, const std::string& name
   return reader;
 }
 
-Image read_image(const std::string& path) {
+Image read_image(const std::string& path, PixelType* type) {
   return guarded(path, [&] {
     const SourceImage source = decode(read_file(path), path, image_limit);
+    if (type != nullptr) *type = source.type;
     check_image_size(source.width, source.height, source.channels * std::int64_t(sizeof(float)), image_limit, path);
     Image image(source.width, source.height, source.channels);
     switch (source.type) {

@@ -12,8 +12,9 @@
 
 namespace tessera {
 
-/// Reads any image (PNG, JPEG, HDR, EXR ...) as floats, unchanged in encoding. Throws Error(input).
-Image read_image(const std::string& path);
+/// Reads any image (PNG, JPEG, HDR, EXR ...) as floats, unchanged in encoding; type, if given, is set to what the file
+/// holds. Throws Error(input).
+Image read_image(const std::string& path, PixelType* type = nullptr);
 
 /// Decodes an image held in memory (a glTF buffer view or data URI) in its own pixel type; name is for error messages.
 SourceImage decode_image(std::span<const std::byte> bytes, const std::string& name);
@@ -21,6 +22,9 @@ SourceImage decode_image(std::span<const std::byte> bytes, const std::string& na
 /// Writes 8-bit RGBA (or RGB) PNG. path "-": standard output. The file appears whole or not at all. Throws
 /// Error(output).
 void write_png(const std::string& path, int width, int height, int channels, const unsigned char* pixels);
+
+/// Writes three floats per pixel as Radiance RGBE (.hdr). As write_png.
+void write_hdr(const std::string& path, int width, int height, const float* rgb);
 
 /// One plane of an EXR: its channel name ("R", "normal.X", "id") and one value per pixel; exactly one pointer is set.
 struct ExrChannel {

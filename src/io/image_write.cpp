@@ -69,6 +69,11 @@ void write_png(const std::string& path, int width, int height, int channels, con
              [&](OIIO::ImageOutput& output) { return output.write_image(OIIO::TypeDesc::UINT8, pixels); });
 }
 
+void write_hdr(const std::string& path, int width, int height, const float* rgb) {
+  write_file(path, "hdr", OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT),
+             [&](OIIO::ImageOutput& output) { return output.write_image(OIIO::TypeDesc::FLOAT, rgb); });
+}
+
 void write_exr(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
                const std::map<std::string, std::string>& attributes) {
   OIIO::ImageSpec spec = exr_spec(width, height, channels, attributes);

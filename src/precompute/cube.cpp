@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "base/half.hpp"
@@ -77,6 +78,23 @@ CubeDirection texel_direction(int face, int i, int j, int size) {
   return {float(p.x) / length, float(p.y) / length, float(p.z) / length, 4 * n / (length2 * length)};
 }
 
+FaceDirection face_direction(int face, double s, double t) {
+  switch (face) {
+    case 0:
+      return {1, -t, -s};
+    case 1:
+      return {-1, -t, s};
+    case 2:
+      return {s, 1, t};
+    case 3:
+      return {s, -1, -t};
+    case 4:
+      return {s, -t, 1};
+    default:
+      return {-s, -t, -1};
+  }
+}
+
 CubeLevel halved(const CubeLevel& level) {
   CubeLevel below(level.size / 2);
   const int n = level.size;
@@ -110,6 +128,11 @@ CubeLevel halved(const CubeLevel& level) {
 
 Cube::Cube(int size, int levels) : texels_(cube_level_offset(size, levels) * 4), size_(size), levels_(levels) {
   assert(size >= 1 && size <= max_cube_size && (size & (size - 1)) == 0 && levels >= 1 && size >> (levels - 1) >= 1);
+}
+
+Cube::Cube(int size, int levels, AlignedVector<std::uint16_t> texels)
+    : texels_(std::move(texels)), size_(size), levels_(levels) {
+  assert(texels_.size() == cube_level_offset(size, levels) * 4);
 }
 
 std::uint16_t* Cube::texel(int level, int face, int i, int j) {

@@ -35,6 +35,12 @@ struct CubeDirection {
 };
 CubeDirection texel_direction(int face, int i, int j, int size);
 
+/// The point (s, t) in [-1, 1]^2 of a face of the cube of half width 1.
+struct FaceDirection {
+  double x, y, z;
+};
+FaceDirection face_direction(int face, double s, double t);
+
 /// The level below: each texel the mean of four, weighted by their solid angles, so that the sphere's total stays.
 CubeLevel halved(const CubeLevel& level);
 
@@ -44,11 +50,15 @@ class Cube {
   Cube() = default;
   /// size: a power of two up to max_cube_size; 1 <= levels <= log2(size) + 1. Texels are 0.
   Cube(int size, int levels);
+  /// From what texels() of another one gave. `texels` must have the length that size and levels ask for.
+  Cube(int size, int levels, AlignedVector<std::uint16_t> texels);
 
   [[nodiscard]] CubeView view() const { return {texels_.data(), size_, levels_}; }
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] int levels() const { return levels_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
+  /// All levels with their borders, as CubeView has them.
+  [[nodiscard]] const AlignedVector<std::uint16_t>& texels() const { return texels_; }
 
   /// Rounds a level to halves, values above the largest half clamped to it, and fills its border. Returns how many
   /// texels were clamped.

@@ -1,10 +1,13 @@
 #include "precompute/irradiance.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "precompute/cube.hpp"
 
 namespace tessera {
 namespace {
@@ -119,15 +122,8 @@ Coefficients project_row(const float* texels, const Columns& columns, const Row&
 constexpr double band_factors[9] = {1 / (4 * pi),   1 / (2 * pi),  1 / (2 * pi),   1 / (2 * pi),  15 / (16 * pi),
                                     15 / (16 * pi), 5 / (64 * pi), 15 / (16 * pi), 15 / (64 * pi)};
 
-}  // namespace
-
-IrradianceSh project_irradiance(const EquirectView& source, float rotation, const Kernels& kernels) {
-  const Columns columns = integrate_columns(source.width, rotation, kernels);
-  const std::vector<Row> rows = integrate_rows(source.height, kernels);
-  std::vector<Coefficients> parts(rows.size());
-  parallel_for(rows.size(), [&](std::size_t j) {
-    parts[j] = project_row(source.texels + j * std::size_t(source.width) * 3, columns, rows[j]);
-  });
+// Rows apart, then in order: the same for any number of threads.
+IrradianceSh sum_of(const std::vector<Coefficients>& parts) {
   IrradianceSh sh;
   for (std::size_t k = 0; k < 9; ++k) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -137,6 +133,96 @@ IrradianceSh project_irradiance(const EquirectView& source, float rotation, cons
     }
   }
   return sh;
+}
+
+// What a texel of a face adds, its radiance constant over it: Gauss-Legendre with two points a side, in parts of at
+// most 1/64 of the face. The integrals then err by less than 1e-9 of themselves.
+void add_face_texel(const float* rgb, int face, int x, int y, int size, const double turn[2], Coefficients& sum) {
+  constexpr double node = 0.577350269189625764509;
+  const int parts = std::max(64 / size, 1);
+  const double half = 1.0 / (double(size) * parts);
+  std::array<double, 9> basis{};
+  for (int j = 0; j < 2 * parts; ++j) {
+    for (int i = 0; i < 2 * parts; ++i) {
+      const auto coordinate = [&](int texel, int k) {
+        const double middle = (2.0 * (texel * parts + k / 2) + 1) * half - 1;
+        return middle + (k % 2 == 0 ? -node : node) * half;
+      };
+      const double s = coordinate(x, i), t = coordinate(y, j);
+      const double length2 = 1 + s * s + t * t, length = std::sqrt(length2), area = half * half / (length2 * length);
+      const auto [px, py, pz] = face_direction(face, s, t);
+      const double dx = (px * turn[0] + pz * turn[1]) / length, dy = py / length;
+      const double dz = (pz * turn[0] - px * turn[1]) / length;
+      const double values[9] = {1, dy, dz, dx, dx * dy, dy * dz, 3 * dz * dz - 1, dx * dz, dx * dx - dy * dy};
+      for (std::size_t k = 0; k < 9; ++k) basis[k] += values[k] * area;
+    }
+  }
+  for (std::size_t k = 0; k < 9; ++k)
+    for (std::size_t c = 0; c < 3; ++c) sum[k][c] += basis[k] * double(rgb[c]);
+}
+
+}  // namespace
+
+IrradianceSh project_irradiance(const EquirectView& source, float rotation, const Kernels& kernels) {
+  const Columns columns = integrate_columns(source.width, rotation, kernels);
+  const std::vector<Row> rows = integrate_rows(source.height, kernels);
+  std::vector<Coefficients> parts(rows.size());
+  parallel_for(rows.size(), [&](std::size_t j) {
+    parts[j] = project_row(source.texels + j * std::size_t(source.width) * 3, columns, rows[j]);
+  });
+  return sum_of(parts);
+}
+
+IrradianceSh project_irradiance(const CubeFacesView& source, float rotation, const Kernels& kernels) {
+  const double turn[2] = {evaluate(MathFunction::cos, {rotation}, kernels)[0],
+                          evaluate(MathFunction::sin, {rotation}, kernels)[0]};
+  const int n = source.size;
+  std::vector<Coefficients> parts(std::size_t(n) * 6);
+  parallel_for(parts.size(), [&](std::size_t row) {
+    const float* texels = source.texels + row * std::size_t(n) * 3;
+    for (int x = 0; x < n; ++x) add_face_texel(texels + 3 * x, int(row) / n, x, int(row) % n, n, turn, parts[row]);
+  });
+  return sum_of(parts);
+}
+
+IrradianceSh windowed(const IrradianceSh& sh, float lambda) {
+  IrradianceSh out = sh;
+  const float band[3] = {1, 1 / (1 + 4 * lambda), 1 / (1 + 36 * lambda)};
+  for (std::size_t k = 0; k < 9; ++k)
+    for (float& value : out.coefficients[k]) value *= band[k == 0 ? 0 : k < 4 ? 1 : 2];
+  return out;
+}
+
+IrradianceSh radiance_harmonics(const IrradianceSh& sh) {
+  // The constants of Y_lm in front of 1, y, z, x, xy, yz, 3zz - 1, xz, xx - yy: 1/2 sqrt(1/pi) ...
+  constexpr double constants[9] = {0.28209479177387814, 0.48860251190291992, 0.48860251190291992,
+                                   0.48860251190291992, 1.0925484305920792,  1.0925484305920792,
+                                   0.31539156525252005, 1.0925484305920792,  0.54627421529603959};
+  IrradianceSh out;
+  for (std::size_t k = 0; k < 9; ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      out.coefficients[k][c] = float(double(sh.coefficients[k][c]) / band_factors[k] * constants[k]);
+  return out;
+}
+
+double least_irradiance(const IrradianceSh& sh) {
+  constexpr int n = 32;
+  double least = 1;
+  for (int face = 0; face < 6; ++face)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const CubeDirection d = texel_direction(face, i, j, n);
+        const double x = double(d.x), y = double(d.y), z = double(d.z);
+        const double values[9] = {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double mean = double(sh.coefficients[0][c]);
+          if (!(mean > 0)) continue;
+          double sum = 0;
+          for (std::size_t k = 0; k < 9; ++k) sum += values[k] * double(sh.coefficients[k][c]);
+          least = std::min(least, sum / mean);
+        }
+      }
+  return least;
 }
 
 }  // namespace tessera

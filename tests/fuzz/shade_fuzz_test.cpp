@@ -29,6 +29,10 @@ TEST(ShadeFuzz, AnyGBufferGivesFiniteRadiance) {
         planes[p][i] = float(double(std::bit_cast<std::int32_t>(planes[p][i])) * 0x1p-31);
     }
     ShadeArgs args = shade_args(gbuffer, {0.3, 0.2, 3}, lights, &environment);
+    const std::uint64_t round = done / block;  // every way to look the environment up
+    args.environment_shading.lobe = static_cast<EnvironmentLobe>(round % 5);
+    args.environment_shading.fresnel = static_cast<EnvironmentFresnel>(round / 5 % 2);
+    args.environment_shading.specular_occlusion = round / 10 % 2 != 0;
     kernels.shade(args);
     for (int c = 0; c < 3; ++c) {
       bool good = true;

@@ -56,6 +56,24 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
   for (const auto& plane : radiance)
     for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
 
+  environment.lod_curve = 0.5f;
+  for (const EnvironmentLobe lobe : {EnvironmentLobe::mirror, EnvironmentLobe::shifted, EnvironmentLobe::taps2,
+                                     EnvironmentLobe::taps4, EnvironmentLobe::points8}) {
+    environment.irradiance = lobe == EnvironmentLobe::taps2 ? environment.specular : CubeView{};
+    kernels.shade({g,
+                   GBuffer::count,
+                   feature_environment,
+                   {0, 1, 6, 1},
+                   nullptr,
+                   0,
+                   environment,
+                   {dfg.data(), dfg_size},
+                   {radiance[0].values, radiance[1].values, radiance[2].values},
+                   {lobe, EnvironmentFresnel::f0, lobe != EnvironmentLobe::mirror}});
+    for (const auto& plane : radiance)
+      for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
+  }
+
   for (std::size_t i = 0; i < GBuffer::capacity; ++i) {
     g.position[0][i] = static_cast<float>(i % 32);
     g.position[1][i] = static_cast<float>(i / 32);
@@ -97,6 +115,14 @@ void hash_environment(const Kernels& kernels, Random& random, Hash& hash) {
                             {lobe[0].data(), lobe[1].data(), lobe[2].data(), lobe[3].data(), lobe[4].data(), samples},
                             {face, size, 0, size, out.data()},
                             {}});
+    hash.add(std::vector<float>(out.begin(), out.begin() + 4 * size * size));
+    // Points alone, as a weighted mean; a block of a face.
+    kernels.prefilter_cube({{},
+                            {},
+                            {face, size, 4, 12, out.data(), 8, 8},
+                            {lobe[0].data(), lobe[1].data(), lobe[2].data(), lobe[3].data(), lobe[4].data(),
+                             lobe[2].data(), samples, 0.3f, 1, lobe[2].data()}});
+    kernels.faces_to_cube({{equirect.data(), 11}, {0.8f, 0.6f}, 2, {face, size, 0, 3, out.data()}});
     hash.add(std::vector<float>(out.begin(), out.begin() + 4 * size * size));
   }
 }

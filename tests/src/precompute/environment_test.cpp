@@ -53,6 +53,11 @@ void expect_white(const EnvironmentView& view) {
             for (int c = 0; c < 3; ++c) ASSERT_NEAR(texel_value(cube, level, face, i, j, c), 1, 1e-3) << level;
     }
   }
+  if (view.irradiance.texels != nullptr) {
+    for_each_texel(view.irradiance.size, [&](int face, int i, int j) {
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(texel_value(view.irradiance, 0, face, i, j, c), 1, 1e-3);
+    });
+  }
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(view.irradiance_sh[0][c], 1, 1e-6);
     for (int k = 1; k < 9; ++k) EXPECT_NEAR(view.irradiance_sh[k][c], 0, 1e-6);
@@ -68,6 +73,7 @@ TEST(Environment, WhiteStaysWhite) {
   settings.specular_size = 16;
   settings.intensity = 4;
   settings.rotation = 1;
+  settings.irradiance = IrradianceForm::cube;
   expect_white(build_environment(filled(300, 150, 1, 0.25f), settings, kernels).view());
 }
 
@@ -127,48 +133,131 @@ TEST(Environment, ThingsAreWhereThePictureSays) {
   }
 }
 
-// Every level against the sum over all texels of level 0, n = v = r: D(h) n.l, weights n.l. The cube is the default for
-// this picture; RMS errors are relative to the level's own RMS.
-TEST(Environment, PrefilteredLevelsMatchBruteForce) {
-  const Environment environment = build_environment(sunny(256, 128), {}, select_kernels());
-  const EnvironmentView view = environment.view();
-  const CubeView& cube = view.specular;
-  ASSERT_EQ(cube.size, 64);
-  struct Source {
-    Unit d;
-    double solid_angle, radiance;
-  };
-  std::vector<Source> sources;
-  for_each_texel(cube.size, [&](int face, int i, int j) {
-    sources.push_back(
-        {texel_centre(face, i, j, cube.size), texel_solid_angle(i, j, cube.size), texel_value(cube, 0, face, i, j, 0)});
-  });
-  for (int level = 1; level < cube.levels; ++level) {
-    const double r = double(level) / (cube.levels - 1), alpha2 = r * r * r * r;
-    const int n = cube.size >> level, step = std::max(n / 8, 1);
-    double squares = 0, errors = 0, count = 0;
-    for (int face = 0; face < 6; ++face) {
-      for (int j = step / 2; j < n; j += step) {
-        for (int i = step / 2; i < n; i += step) {
-          const Unit normal = texel_centre(face, i, j, n);
-          double sum = 0, weights = 0;
-          for (const Source& source : sources) {
-            const double NoL = dot(normal, source.d);
-            if (NoL <= 0) continue;
-            const double NoH2 = (1 + NoL) / 2, t = NoH2 * (alpha2 - 1) + 1;
-            const double weight = source.solid_angle * NoL / (t * t);
-            sum += weight * source.radiance;
-            weights += weight;
-          }
-          const double expected = sum / weights, error = texel_value(cube, level, face, i, j, 0) - expected;
-          squares += expected * expected;
-          errors += error * error;
-          ++count;
-        }
-      }
-    }
-    EXPECT_LT(std::sqrt(errors / squares), 5e-3) << "level " << level;
+// Windows of a dark room, each some texels wide, 10 to 300 times as bright as the walls.
+Image windows(int width, int height) {
+  Image image = filled(width, height, 3, 0.02f);
+  std::mt19937 random(5);
+  for (int k = 0; k < 24; ++k) {
+    const int x0 = int(random() % unsigned(width - 12)), y0 = int(random() % unsigned(height - 8));
+    const float value = 0.2f * float(1 + random() % 30);
+    for (int y = 0; y < 3 + k % 5; ++y)
+      for (int x = 0; x < 4 + k % 7; ++x) std::fill_n(image.at(x0 + x, y0 + y), 3, value);
   }
+  return image;
+}
+
+// Stripes and a horizon.
+Image stripes(int width, int height) {
+  Image image(width, height, 3);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      std::fill_n(image.at(x, y), 3, y > height / 2 ? 0.1f : x / 8 % 3 == 0 ? 4.0f : 0.8f);
+  return image;
+}
+
+// The roughness that a lookup finds at a level: lod = (levels - 1) r (1 + c (1 - r)), by bisection.
+double roughness_at(double level, int levels, double c) {
+  double low = 0, high = 1;
+  for (int k = 0; k < 60; ++k) {
+    const double r = (low + high) / 2;
+    ((levels - 1) * r * (1 + c * (1 - r)) < level ? low : high) = r;
+  }
+  return low;
+}
+
+// Root mean square error of a level against the sum over all texels of level 0, n = v = r: D(h) n.l, weights n.l;
+// relative to the level's own RMS.
+double prefilter_error(const EnvironmentView& view, int level, int count) {
+  const CubeView& cube = view.specular;
+  const double r = roughness_at(level, cube.levels, double(view.lod_curve)), alpha2 = r * r * r * r;
+  const int n = cube.size >> level;
+  std::mt19937 random(unsigned(level) + 3);
+  double squares = 0, errors = 0;
+  for (int k = 0; k < count; ++k) {
+    const int face = int(random() % 6), i = int(random() % unsigned(n)), j = int(random() % unsigned(n));
+    const Unit normal = texel_centre(face, i, j, n);
+    double sum = 0, weights = 0;
+    for_each_texel(cube.size, [&](int f, int a, int b) {
+      const double NoL = dot(normal, texel_centre(f, a, b, cube.size));
+      if (NoL <= 0) return;
+      const double NoH2 = (1 + NoL) / 2, t = NoH2 * (alpha2 - 1) + 1;
+      const double weight = texel_solid_angle(a, b, cube.size) * NoL / (t * t);
+      sum += weight * texel_value(cube, 0, f, a, b, 0);
+      weights += weight;
+    });
+    const double expected = sum / weights, error = texel_value(cube, level, face, i, j, 0) - expected;
+    squares += expected * expected;
+    errors += error * error;
+  }
+  return std::sqrt(errors / squares);
+}
+
+TEST(Environment, PrefilteredLevelsMatchBruteForce) {
+  for (const Image& picture : {sunny(256, 128), windows(256, 128), stripes(256, 128)}) {
+    EnvironmentSettings settings;
+    settings.levels = 7;  // of 64 x 64: down to one texel
+    const Environment environment = build_environment(picture, settings, select_kernels());
+    const EnvironmentView view = environment.view();
+    ASSERT_EQ(view.specular.size, 64);
+    for (int level = 1; level < view.specular.levels; ++level)
+      EXPECT_LT(prefilter_error(view, level, 40), 1e-3) << "level " << level;
+  }
+}
+
+// Filtered importance sampling is an estimate: it gets there slowly.
+TEST(Environment, SampledLevelsComeNear) {
+  EnvironmentSettings settings;
+  settings.samples = 1024;
+  const Environment environment = build_environment(sunny(128, 64), settings, select_kernels());
+  const EnvironmentView view = environment.view();
+  for (int level = 1; level < view.specular.levels; ++level)
+    EXPECT_LT(prefilter_error(view, level, 20), 5e-3) << "level " << level;
+}
+
+TEST(Environment, IrradianceCubeMatchesTheCosineIntegral) {
+  EnvironmentSettings settings;
+  settings.irradiance = IrradianceForm::cube;
+  const Environment environment = build_environment(sunny(256, 128), settings, select_kernels());
+  const EnvironmentView view = environment.view();
+  ASSERT_NE(view.irradiance.texels, nullptr);
+  const int n = view.irradiance.size;
+  for (int k = 0; k < 30; ++k) {
+    const int face = k % 6, i = k * 7 % n, j = k * 11 % n;
+    const Unit normal = texel_centre(face, i, j, n);
+    double sum = 0;
+    for_each_texel(64, [&](int f, int a, int b) {
+      sum += std::max(dot(normal, texel_centre(f, a, b, 64)), 0.0) * texel_solid_angle(a, b, 64) *
+             texel_value(view.specular, 0, f, a, b, 1) / pi;
+    });
+    EXPECT_NEAR(texel_value(view.irradiance, 0, face, i, j, 1) / sum, 1, 2e-3);
+  }
+}
+
+TEST(Environment, HarmonicsGiveWayToTheCubeWhereTheyRing) {
+  Image picture = filled(64, 32, 3, 0.001f);
+  std::fill_n(picture.at(20, 10), 3, 1000.0f);  // all light from one side: the other side rings below 0
+  const auto uses_cube = [](const Image& image, const EnvironmentSettings& settings) {
+    return build_environment(image, settings, select_kernels()).data().uses_cube;
+  };
+  EnvironmentSettings settings;
+  EXPECT_TRUE(uses_cube(picture, settings));
+  EXPECT_FALSE(uses_cube(filled(64, 32, 3, 1), settings));
+  settings.irradiance = IrradianceForm::harmonics;
+  EXPECT_FALSE(uses_cube(picture, settings));
+  settings.irradiance = IrradianceForm::automatic;
+  settings.sh_window = 0.2f;  // damped until nothing is negative
+  EXPECT_FALSE(uses_cube(picture, settings));
+}
+
+TEST(Environment, FirefliesAreDimmedOnlyIfAsked) {
+  Image picture = filled(32, 16, 3, 1);
+  picture.at(3, 4)[0] = 500;
+  EnvironmentSettings settings;
+  EXPECT_EQ(build_environment(picture, settings, select_kernels()).report().fireflies, 0u);
+  settings.firefly_limit = 10;
+  const Environment dimmed = build_environment(picture, settings, select_kernels());
+  EXPECT_EQ(dimmed.report().fireflies, 1u);
+  EXPECT_NEAR(dimmed.data().statistics.brightest, 0.2126 * 10 + (0.7152 + 0.0722) / 50, 1e-4);
 }
 
 // Between neighbours across an edge of the cube, no larger steps than inside faces.
@@ -196,12 +285,11 @@ TEST(Environment, EdgesDoNotShow) {
   }
 }
 
-TEST(Environment, SameBitsForAnyInstructionSetAndThreadCount) {
+void expect_same_bits(EnvironmentSettings settings) {
   const Image picture = sunny(64, 32);
-  EnvironmentSettings settings;
   settings.rotation = 0.4f;
-  settings.samples = 64;
-  std::vector<std::uint16_t> specular, background;
+  settings.irradiance = IrradianceForm::cube;
+  std::vector<std::uint16_t> specular, background, cube;
   std::array<float, 27> sh{};
   for (const Kernels* kernels : built_kernels()) {
     if (!cpu_runs(*kernels)) continue;
@@ -212,14 +300,23 @@ TEST(Environment, SameBitsForAnyInstructionSetAndThreadCount) {
         if (specular.empty()) {
           specular = texels_of(view.specular);
           background = texels_of(view.background);
+          cube = texels_of(view.irradiance);
           std::copy_n(&view.irradiance_sh[0][0], 27, sh.begin());
         }
         EXPECT_EQ(texels_of(view.specular), specular) << kernels->isa << " " << threads;
         EXPECT_EQ(texels_of(view.background), background) << kernels->isa << " " << threads;
+        EXPECT_EQ(texels_of(view.irradiance), cube) << kernels->isa << " " << threads;
         EXPECT_TRUE(std::equal(sh.begin(), sh.end(), &view.irradiance_sh[0][0])) << kernels->isa << " " << threads;
       });
     }
   }
+}
+
+TEST(Environment, SameBitsForAnyInstructionSetAndThreadCount) {
+  expect_same_bits({});
+  EnvironmentSettings sampled;
+  sampled.samples = 64;
+  expect_same_bits(sampled);
 }
 
 void expect_sound(const EnvironmentView& view) {
