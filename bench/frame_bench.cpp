@@ -66,7 +66,7 @@ void frame(benchmark::State& state) {
   state.counters["geometry_ms"] = f.geometry_ms;
   state.counters["tiles_ms"] = f.tiles_ms;
   state.counters["fragments"] = static_cast<double>(f.fragments);
-  for (std::size_t k = 0; k < tile_stage_names.size(); ++k) state.counters[tile_stage_names[k]] = f.tile_stage_ms[k];
+  for (std::size_t k = 0; k < stage_names.size(); ++k) state.counters[stage_names[k]] = f.stage_ms[k];
 }
 
 void arguments(benchmark::internal::Benchmark* b) {

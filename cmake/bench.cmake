@@ -10,4 +10,4 @@ endforeach()
 # The workload that software GPU drivers are timed on.
 file(GLOB TESSERA_WORKLOAD_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/workload/*.cpp)
 add_executable(tessera_workload ${TESSERA_WORKLOAD_SOURCES})
-target_link_libraries(tessera_workload PRIVATE tessera_core)
+target_link_libraries(tessera_workload PRIVATE tessera_frame)

@@ -1,4 +1,8 @@
 # src/: the library everything else links, and the command-line program.
+#   tessera_frame   base, scene, precompute, raster, frame: arrays in, a film out. Starts in milliseconds.
+#   tessera_core    with files: glTF, and pictures through OpenImageIO, which brings 260 shared libraries
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
 # OpenImageIO's own CMake file, in Debian, insists on the programs of openimageio-tools (and so on Qt), on Python's Imath
 # and on OpenCV's headers. The library alone is all that Tessera uses.
 find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
@@ -7,8 +11,6 @@ find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
 add_library(tessera_openimageio INTERFACE)
 target_include_directories(tessera_openimageio SYSTEM INTERFACE ${OPENIMAGEIO_INCLUDE_DIR})
 target_link_libraries(tessera_openimageio INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY})
-find_package(TBB REQUIRED)
-find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -28,9 +30,16 @@ else()
   list(FILTER TESSERA_CORE_SOURCES EXCLUDE REGEX "/src/base/parallel_plain\\.cpp")
 endif()
 
+set(TESSERA_FRAME_SOURCES ${TESSERA_CORE_SOURCES})
+list(FILTER TESSERA_FRAME_SOURCES INCLUDE REGEX "/src/(base|scene|precompute|raster|frame)/")
+list(FILTER TESSERA_FRAME_SOURCES EXCLUDE REGEX "_file\\.cpp$")
+list(REMOVE_ITEM TESSERA_CORE_SOURCES ${TESSERA_FRAME_SOURCES})
+
+add_library(tessera_frame STATIC ${TESSERA_FRAME_SOURCES})
+target_link_libraries(tessera_frame PUBLIC tessera_flags tessera_kernels TBB::tbb fmt::fmt)
+
 add_library(tessera_core STATIC ${TESSERA_CORE_SOURCES})
-target_link_libraries(tessera_core PUBLIC tessera_flags tessera_kernels tessera_openimageio TBB::tbb fmt::fmt
-                      glm::glm nlohmann_json::nlohmann_json
+target_link_libraries(tessera_core PUBLIC tessera_frame tessera_openimageio glm::glm nlohmann_json::nlohmann_json
                       PRIVATE TinyGLTF::TinyGLTF draco::draco meshoptimizer::meshoptimizer)
 
 if(TESSERA_CLI_SOURCES)

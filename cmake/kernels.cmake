@@ -38,6 +38,11 @@ endfunction()
 set_source_files_properties(${CMAKE_SOURCE_DIR}/kernels/entry/terms_estimate.cpp PROPERTIES COMPILE_OPTIONS
                                                                                           -ffp-contract=fast)
 
+# Kernels that only charts and tests run, one after another; the renderer's are all the others.
+file(GLOB TESSERA_TERM_ENTRIES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/kernels/entry/terms*.cpp)
+set_property(SOURCE ${TESSERA_TERM_ENTRIES} ${CMAKE_SOURCE_DIR}/kernels/entry/sampling.cpp
+             APPEND PROPERTY COMPILE_OPTIONS ${TESSERA_ONE_THREAD_FLAGS})
+
 add_library(tessera_kernels STATIC ${CMAKE_SOURCE_DIR}/kernels/tables.cpp ${CMAKE_SOURCE_DIR}/kernels/sampling_tables.cpp)
 target_link_libraries(tessera_kernels PRIVATE tessera_flags)
 foreach(isa IN LISTS TESSERA_ISAS)
@@ -47,7 +52,6 @@ foreach(isa IN LISTS TESSERA_ISAS)
 endforeach()
 
 # The terms over double, from the same sources (kernels/terms.hpp); libm is allowed here, for no pixel comes of it.
-file(GLOB TESSERA_TERM_ENTRIES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/kernels/entry/terms*.cpp)
 list(GET TESSERA_ISAS 0 TESSERA_BASELINE_ISA)
 add_library(tessera_precise STATIC ${TESSERA_TERM_ENTRIES})
 tessera_compile_for_isa(tessera_precise precise)

@@ -18,13 +18,14 @@ if(TESSERA_KERNEL_TESTS)
   target_include_directories(kernel_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_include_directories(kernel_tests SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
   # Tests that evaluate kernel templates in double get the baseline instruction set, which every machine here has.
-  target_compile_options(kernel_tests PRIVATE ${TESSERA_FLAGS_${TESSERA_BASELINE_ISA}})
+  target_compile_options(kernel_tests PRIVATE ${TESSERA_FLAGS_${TESSERA_BASELINE_ISA}} ${TESSERA_ONE_THREAD_FLAGS})
   target_link_libraries(kernel_tests PRIVATE tessera_flags tessera_kernels tessera_precise tessera_catalogue
                         GTest::gtest_main
                         $<TARGET_NAME_IF_EXISTS:tessera_reference>)
   foreach(isa IN LISTS TESSERA_ISAS)
     add_library(kernel_tests_${isa} OBJECT ${TESSERA_ISA_TESTS})
     tessera_compile_for_isa(kernel_tests_${isa} ${isa})
+    target_compile_options(kernel_tests_${isa} PRIVATE ${TESSERA_ONE_THREAD_FLAGS})
     target_include_directories(kernel_tests_${isa} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     target_sources(kernel_tests PRIVATE $<TARGET_OBJECTS:kernel_tests_${isa}>)
   endforeach()
@@ -35,6 +36,7 @@ endif()
 file(GLOB TESSERA_FUZZ_TESTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/fuzz/*.cpp)
 add_executable(fuzz_tests ${TESSERA_FUZZ_TESTS} ${CMAKE_SOURCE_DIR}/tests/kernels/shade/shade_scene.cpp)
 target_include_directories(fuzz_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+target_compile_options(fuzz_tests PRIVATE ${TESSERA_ONE_THREAD_FLAGS})
 target_link_libraries(fuzz_tests PRIVATE tessera_flags tessera_kernels tessera_precise tessera_catalogue
                       tessera_reference GTest::gtest_main)
 gtest_discover_tests(fuzz_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
@@ -54,6 +56,15 @@ if(NOT TESSERA_KERNELS_ONLY)
     endif()
     gtest_discover_tests(core_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
   endif()
+endif()
+
+# tests/allocation/: with an operator new of its own, that counts.
+if(NOT TESSERA_KERNELS_ONLY)
+  add_executable(allocation_tests ${CMAKE_SOURCE_DIR}/tests/allocation/steady_state_test.cpp
+                                  ${CMAKE_SOURCE_DIR}/tests/golden/scenes.cpp)
+  target_include_directories(allocation_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_link_libraries(allocation_tests PRIVATE tessera_frame GTest::gtest_main)
+  gtest_discover_tests(allocation_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endif()
 
 # tests/bench/chart/: what draws and writes charts, on synthetic results; and the page in a real browser.

@@ -40,6 +40,16 @@ struct VertexAttributes {  // 64 bytes: one cache line
 };
 static_assert(sizeof(VertexAttributes) == 64);
 
+// In place of VertexAttributes: a surface described vertex by vertex, without textures (scans, simulations). The
+// material's factors multiply what is here, as they multiply texels.
+struct SurfaceVertex {  // 48 bytes
+  float position[3];    // the same as in GeometryView::positions
+  float normal[3];
+  float base_color[3];
+  float metallic, roughness, occlusion;
+};
+static_assert(sizeof(SurfaceVertex) == 48);
+
 // Kernels gather vertices and triangles with signed 32-bit offsets.
 inline constexpr std::uint32_t max_scene_vertices = (1u << 27) - 1;
 inline constexpr std::uint32_t max_scene_triangles = (1u << 29) - 1;
@@ -49,6 +59,7 @@ struct GeometryView {      // world space, shared by all frames of a scene
   const VertexAttributes* attributes;
   const Triangle* triangles;
   std::uint32_t vertex_count, triangle_count;  // at most max_scene_vertices, max_scene_triangles
+  const SurfaceVertex* surfaces = nullptr;     // if set, instead of attributes; materials then have no textures
 };
 
 // World position (x,y,z,1) -> homogeneous window coordinates, viewport folded in: x_pixels * w, y_pixels * w, depth *
@@ -195,6 +206,8 @@ struct GBufferView {
   float* alpha;        // coverage by alphaMode: 1 for opaque and mask
   float* unlit;        // 1: colour is base_color, not lit; 0 otherwise
   float* depth;        // reversed depth at the shaded point
+  // Resolving skips emissive, alpha, unlit and depth where they are null; shading needs the first and third if features
+  // say so, and neither of the others.
 };
 inline constexpr int gbuffer_planes = 18;
 
@@ -301,11 +314,35 @@ struct ShadeArgs {
   std::uint32_t features;  // a superset of what the fragments use; the result does not depend on it
   float eye[4];            // as ViewTransform::eye
   const LightView* lights;
-  std::uint32_t light_count;
+  const std::uint32_t* light_list;  // the lights that count, by index, ascending (Kernels::cull_lights); null: all
+  std::uint32_t light_count;        // of the list, or of all
   EnvironmentView environment;
   DfgView dfg;
   float* radiance[3];  // out, SoA; not multiplied by alpha
+  // Where the next fragments will be read from memory: that many floats ahead in every plane lies what is fetched
+  // meanwhile. 0: the planes are in the cache already, as a tile's are.
+  std::uint32_t fetch_ahead;
   EnvironmentShading environment_shading = {};
+};
+
+// Lights as culling sees them: spheres. Arrays padded to max_lanes.
+struct LightBoundsView {
+  const float *x, *y, *z, *inverse_range_squared;  // 0: reaches everywhere
+  std::uint32_t count;
+};
+
+struct CullLightsArgs {
+  const float* position[3];  // of the fragments, as GBufferView::position
+  std::uint32_t count;
+  LightBoundsView lights;
+  std::uint32_t* out;  // room for lights.count, rounded up to max_lanes
+};
+
+struct StorePixelsArgs {     // opaque radiance -> pixels of a film
+  const float* radiance[3];  // width * height, rows one after another
+  int width, height;
+  float* rgba;             // of the first pixel; alpha becomes 1
+  std::size_t row_stride;  // in floats
 };
 
 struct BackgroundArgs {           // radiance of the environment along pixel rays
@@ -460,6 +497,10 @@ struct Kernels {
   // entry/shade.cpp
   void (*shade)(const ShadeArgs&);
   void (*background)(const BackgroundArgs&);
+  // Indices of the lights whose range reaches the fragments' bounding box, ascending; how many. Any other light adds
+  // exactly nothing to any of the fragments.
+  std::uint32_t (*cull_lights)(const CullLightsArgs&);
+  void (*store_pixels)(const StorePixelsArgs&);
 
   // entry/bake.cpp
   void (*dfg_table)(const DfgTableArgs&);

@@ -77,6 +77,7 @@ Results measure(const Options& options) {
   }
   const std::vector<FamilyEntry> chosen = chosen_families(options);
   if (chosen.empty()) throw usage_error("no family is part of this build");
+  prepare_folder(options.folder);  // minutes before it is written
   Results results;
   results.machine = describe_machine();
   results.machine.quick = options.quick;

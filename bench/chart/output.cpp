@@ -70,6 +70,11 @@ void add_maps(Jobs& jobs, const fs::path& folder, const Plot& plot, const std::s
 
 }  // namespace
 
+void prepare_folder(const std::string& folder) {
+  make_folder(folder);
+  const OutputFile trial((fs::path(folder) / "results.json").string());  // never committed
+}
+
 void write_chart(const std::string& folder, const Results& results, const Results* other) {
   const fs::path top = folder;
   make_folder(top);

@@ -6,6 +6,9 @@
 
 namespace tessera::chart {
 
+/// Makes the folder if it is not there. Throws Error(output) where a chart could not be written later.
+void prepare_folder(const std::string& folder);
+
 /// Writes them into the folder, which is made if it is not there. Each file appears whole or not at all; index.html is
 /// written last. Throws Error(output).
 void write_chart(const std::string& folder, const Results& results, const Results* other = nullptr);

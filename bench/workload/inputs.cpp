@@ -59,21 +59,21 @@ Surroundings::Surroundings(const std::string& folder, const Kernels& kernels) : 
   dfg = {dfg_texels.data(), dfg_size};
 }
 
-BlockedGBuffer::BlockedGBuffer(const std::string& folder)
-    : values_(std::size_t{blocks_x} * blocks_y * planes * block_pixels) {
+BlockedGBuffer::BlockedGBuffer(const std::string& folder) : values_(std::size_t{blocks_x} * blocks_y * block_floats) {
+  float* const values = values_.data();
   const auto raw = read_exactly<float>(folder + "/w1_gbuffer.f32", std::size_t{planes} * width * height);
   for (int p = 0; p < planes; ++p)
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const std::size_t block = std::size_t(y / block_size) * blocks_x + std::size_t(x / block_size);
-        values_[(block * planes + std::size_t(p)) * block_pixels +
-                std::size_t(y % block_size * block_size + x % block_size)] =
+        values[(block * planes + std::size_t(p)) * block_pixels +
+               std::size_t(y % block_size * block_size + x % block_size)] =
             raw[(std::size_t(p) * height + std::size_t(y)) * width + std::size_t(x)];
       }
 }
 
 GBufferView BlockedGBuffer::block(int index) const {
-  auto* base = const_cast<float*>(values_.data()) + std::size_t(index) * planes * block_pixels;
+  float* const base = values_.data() + std::size_t(index) * block_floats;
   const auto plane = [&](int p) { return base + std::size_t(p) * block_pixels; };
   GBufferView view{};
   for (int k = 0; k < 3; ++k) {
@@ -89,7 +89,8 @@ GBufferView BlockedGBuffer::block(int index) const {
 
 LightSet::LightSet(const std::string& folder, const std::string& variant) {
   const bool tiled = variant.ends_with('t');
-  const std::string count = variant.substr(1, variant.size() - (tiled ? 2 : 1));
+  culled = variant.ends_with('c');
+  const std::string count = variant.substr(1, variant.size() - (tiled || culled ? 2 : 1));
   const auto records = read_array<float>(folder + "/lights_" + count + ".f32");
   for (std::size_t i = 0; i + 8 <= records.size(); i += 8) {
     LightView light{};
@@ -102,11 +103,14 @@ LightSet::LightSet(const std::string& folder, const std::string& variant) {
     light.inverse_range_squared = 1 / (records[i + 3] * records[i + 3]);
     lights.push_back(light);
   }
+  bounds = LightBounds(lights);
   if (!tiled) return;
   offsets = read_exactly<std::uint32_t>(folder + "/tiles_" + count + ".off.u32", std::size_t{blocks_x} * blocks_y + 1);
-  for (const std::uint32_t index : read_array<std::uint32_t>(folder + "/tiles_" + count + ".idx.u32"))
-    listed.push_back(lights.at(index));
-  if (offsets.back() > listed.size()) throw input_error("{}/tiles_{}.off.u32: points past the lists", folder, count);
+  indices = read_array<std::uint32_t>(folder + "/tiles_" + count + ".idx.u32");
+  for (const std::uint32_t index : indices)
+    if (index >= lights.size())
+      throw input_error("{}/tiles_{}.idx.u32: light {} of {}", folder, count, index, lights.size());
+  if (offsets.back() > indices.size()) throw input_error("{}/tiles_{}.off.u32: points past the lists", folder, count);
 }
 
 }  // namespace tessera::workload

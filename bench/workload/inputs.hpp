@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "base/aligned.hpp"
+#include "base/large_buffer.hpp"
+#include "frame/lights.hpp"
 #include "kernels/interface.hpp"
 #include "precompute/cube.hpp"
 
@@ -23,6 +24,8 @@ inline constexpr int block_pixels = block_size * block_size;
 inline constexpr int blocks_x = (width + block_size - 1) / block_size,
                      blocks_y = (height + block_size - 1) / block_size;
 inline constexpr int planes = 12;
+inline constexpr int most_lights = 256;
+inline constexpr std::uint32_t block_floats = planes * block_pixels;
 
 /// A whole file of plain records; an input error that names it if it cannot be read.
 template <class T>
@@ -48,14 +51,17 @@ class BlockedGBuffer {
   [[nodiscard]] GBufferView block(int index) const;
 
  private:
-  AlignedVector<float> values_;
+  LargeBuffer values_;
 };
 
-/// A set of lights, "L4", or with given lists, "L256t".
+/// A set of lights, "L4"; with given lists, "L256t"; with lists that every frame makes itself, "L256c".
 struct LightSet {
   std::vector<LightView> lights;
-  std::vector<std::uint32_t> offsets;  // per block and one more; empty: every light everywhere
-  std::vector<LightView> listed;       // the lists, written out
+  std::vector<std::uint32_t> offsets;  // of the given lists: per block and one more; empty: every light everywhere
+  std::vector<std::uint32_t> indices;  // the lists
+  LightBounds bounds;                  // for lists of our own
+
+  bool culled = false;  // the frame makes the lists
 
   LightSet(const std::string& folder, const std::string& variant);
 };

@@ -1,64 +1,62 @@
 #include "bench/workload/shade_blocks.hpp"
 
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
 #include "base/parallel.hpp"
 
 namespace tessera::workload {
 namespace {
 
-constexpr std::size_t film_bytes = std::size_t{width} * height * 4 * sizeof(float), huge_page = std::size_t{1} << 21;
+struct BlockShader {
+  const Kernels& kernels;
+  const BlockedGBuffer& gbuffer;
+  const LightSet& lights;
+  float* rgba;
+  ShadeArgs args{};  // what all blocks share
 
-void shade_block(const Kernels& kernels, const BlockedGBuffer& gbuffer, const Surroundings& surroundings,
-                 const LightSet& lights, const Film& film, int block) {
-  alignas(64) float radiance[3][block_pixels];
-  ShadeArgs args{};
-  args.gbuffer = gbuffer.block(block);
-  args.count = block_pixels;
-  args.features = feature_lights | feature_environment;
-  std::copy(surroundings.eye, surroundings.eye + 4, args.eye);
-  if (lights.offsets.empty()) {
-    args.lights = lights.lights.data();
-    args.light_count = std::uint32_t(lights.lights.size());
-  } else {
-    args.lights = lights.listed.data() + lights.offsets[std::size_t(block)];
-    args.light_count = lights.offsets[std::size_t(block) + 1] - lights.offsets[std::size_t(block)];
-  }
-  args.environment = surroundings.environment;
-  args.dfg = surroundings.dfg;
-  for (int k = 0; k < 3; ++k) args.radiance[k] = radiance[k];
-  kernels.shade(args);
-
-  const int x0 = block % blocks_x * block_size, y0 = block / blocks_x * block_size;
-  for (int y = 0; y < std::min(block_size, height - y0); ++y) {
-    float* out = film.rgba() + (std::size_t(y0 + y) * width + std::size_t(x0)) * 4;
-    for (int x = 0; x < block_size; ++x) {
-      for (int k = 0; k < 3; ++k) out[4 * x + k] = radiance[k][y * block_size + x];
-      out[4 * x + 3] = 1;
+  void shade(int block) const {
+    alignas(64) float radiance[3][block_pixels];
+    std::uint32_t list[most_lights];
+    ShadeArgs a = args;
+    a.gbuffer = gbuffer.block(block);
+    for (int k = 0; k < 3; ++k) a.radiance[k] = radiance[k];
+    if (lights.culled) {
+      const GBufferView& g = a.gbuffer;
+      a.light_count = kernels.cull_lights(
+          {{g.position[0], g.position[1], g.position[2]}, block_pixels, lights.bounds.view(), list});
+      a.light_list = list;
+    } else if (!lights.offsets.empty()) {
+      const std::uint32_t* offset = lights.offsets.data() + block;
+      a.light_count = offset[1] - offset[0];
+      a.light_list = lights.indices.data() + offset[0];
     }
+    kernels.shade(a);
+
+    const int x = block % blocks_x * block_size, y = block / blocks_x * block_size;
+    kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
+                          block_size,
+                          std::min(block_size, height - y),
+                          rgba + (std::size_t(y) * width + std::size_t(x)) * 4,
+                          std::size_t{4} * width});
   }
-}
+};
 
 }  // namespace
 
-Film::Film() : rgba_(static_cast<float*>(std::aligned_alloc(huge_page, (film_bytes / huge_page + 1) * huge_page))) {
-  if (rgba_ == nullptr) throw std::bad_alloc();
-  madvise(rgba_, film_bytes, MADV_HUGEPAGE);
-  std::fill_n(rgba_, film_bytes / sizeof(float), 0.0f);
-}
-
-Film::~Film() { std::free(rgba_); }
-
 void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const Surroundings& surroundings,
-                  const LightSet& lights, const Film& film) {
+                  const LightSet& lights, float* rgba) {
+  BlockShader shader{kernels, gbuffer, lights, rgba};
+  shader.args.count = block_pixels;
+  shader.args.features = feature_lights | feature_environment;
+  std::copy(surroundings.eye, surroundings.eye + 4, shader.args.eye);
+  shader.args.lights = lights.lights.data();
+  shader.args.light_count = std::uint32_t(lights.lights.size());
+  shader.args.environment = surroundings.environment;
+  shader.args.dfg = surroundings.dfg;
+  shader.args.fetch_ahead = 2 * block_floats;  // the next block but one
   // A row of blocks is a task: neighbours in memory stay on one core, and there are enough rows to even out.
   parallel_for(blocks_y, [&](std::size_t row) {
-    for (int x = 0; x < blocks_x; ++x)
-      shade_block(kernels, gbuffer, surroundings, lights, film, int(row) * blocks_x + x);
+    for (int x = 0; x < blocks_x; ++x) shader.shade(int(row) * blocks_x + x);
   });
 }
 

@@ -4,21 +4,9 @@
 
 namespace tessera::workload {
 
-/// RGBA floats, top row first, on huge pages where the system has them.
-class Film {
- public:
-  Film();
-  ~Film();
-  Film(const Film&) = delete;
-  Film& operator=(const Film&) = delete;
-  [[nodiscard]] float* rgba() const { return rgba_; }
-
- private:
-  float* rgba_;
-};
-
-/// Every pixel once: reads the G-buffer, writes the film. No state is kept between frames.
+/// Every pixel once: reads the G-buffer, writes `rgba` (width * height * 4 floats, top row first). No state is kept
+/// between frames.
 void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const Surroundings& surroundings,
-                  const LightSet& lights, const Film& film);
+                  const LightSet& lights, float* rgba);
 
 }  // namespace tessera::workload

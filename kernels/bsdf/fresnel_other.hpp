@@ -92,6 +92,27 @@ TESSERA_INLINE F F_CookTorrance(F f0, F VoH) {
   return dielectric_reflectance(F(2) * root * (F(1) + root) / (F(1) - bounded), VoH);
 }
 
+/// Exact for the dielectric that has this F0, from its square root with no index in between. At F0 = 0 nothing is
+/// reflected but at VoH = 0, where everything is.
+template <class F>
+TESSERA_INLINE F F_Gotanda(F f0, F VoH) {
+  // Gotanda 2014, Designing Reflectance Models for New Consoles, the Fresnel term in sqrt F0: with s = sqrt F0,
+  // p = 1 + s, m = 1 - s and q = p alpha, where alpha^2 = 1 - (m/p)^2 (1 - c^2), the two polarisations reflect
+  // ((p^2 c - m q) / (p^2 c + m q))^2 and ((q - m c) / (q + m c))^2.
+  // Without the differences, which cancel for small F0 and at grazing angles: p^2 - m^2 = 4 s gives
+  // q^2 = 4 s + m^2 c^2, and both numerators have 4 s as a factor.
+  const F c = max(VoH, F(1e-18));  // 0 / 0 at VoH = 0 where F0 is 0 or 1
+  const F s = sqrt(f0), p = F(1) + s;
+  // What rounding took from the root: near F0 = 1 it is a large part of 1 - s.
+  const F rest = neg_mul_add(s, s, f0), m = neg_mul_add(F(0.5), rest, F(1) - s);
+  const F p2 = p * p, mc = m * c, four_s = F(4) * s;
+  const F q = sqrt(mul_add(mc, mc, four_s));
+  const F perpendicular = mul_add(p2, c, m * q), parallel = q + mc;
+  const F Rs = four_s * mul_sub(F(2) * mul_add(s, s, F(1)), c * c, m * m) / (perpendicular * perpendicular);
+  const F Rp = four_s / (parallel * parallel);
+  return min(F(0.5) * mul_add(Rs, Rs, Rp * Rp), F(1));
+}
+
 /// Exact, unpolarised, for a metal of relative index eta + i k; eta in (0,10], k in [0,20].
 template <class F>
 TESSERA_INLINE F F_Conductor(F eta, F k, F VoH) {

@@ -26,17 +26,30 @@ TESSERA_INLINE GGXLobe<F> ggx_lobe(F NoV, F alpha) {
   return {alpha2, alpha2 * F(0.5 / pi), NoV, smith_root_GGX(NoV, alpha2)};
 }
 
-/// D V for H = l + v: H2 = |H|^2, NoH = max(n.H, 0), tangential2 = |H - n NoH|^2, NoL in [0,1].
+/// D V as a fraction, so that a caller who divides anyway divides once.
 template <class F>
-TESSERA_INLINE F DV_GGX(const GGXLobe<F>& lobe, F H2, F NoH, F tangential2, F NoL) {
+struct LobeFraction {
+  F numerator, denominator;  // denominator in [1e-36, 32]
+};
+
+/// D V for H = l + v: H2 = |H|^2, alpha2_NoH2 = alpha^2 (n.H)^2, tangential2 = |H - n (n.H)|^2 (where n.H < 0, the two
+/// add up to H2), NoL in [0,1].
+template <class F>
+TESSERA_INLINE LobeFraction<F> DV_GGX_fraction(const GGXLobe<F>& lobe, F H2, F alpha2_NoH2, F tangential2, F NoL) {
   // Walter 2007, eq. 33 and Heitz 2014, eq. 99, fused as derived above.
-  const F t = mul_add(lobe.alpha2 * NoH, NoH, tangential2);
+  const F t = tangential2 + alpha2_NoH2;
   const F masked_v = NoL * lobe.root_v;
   const F masked_l = mul_add(lobe.NoV, smith_root_GGX(NoL, lobe.alpha2), masked_v);
   // 1e-36: l = -v makes t and H2 vanish together. Where both directions are above the horizon by 1e-6 or more, t >=
   // alpha^2 |H|^2 keeps the product above it.
-  const F denominator = max(t * t * masked_l, F(1e-36));
-  return lobe.half_alpha2_over_pi * (H2 * H2) / denominator;
+  return {lobe.half_alpha2_over_pi * (H2 * H2), max(t * t * masked_l, F(1e-36))};
+}
+
+/// D V of the same H with NoH = max(n.H, 0) and tangential2 = |H - n NoH|^2.
+template <class F>
+TESSERA_INLINE F DV_GGX(const GGXLobe<F>& lobe, F H2, F NoH, F tangential2, F NoL) {
+  const LobeFraction<F> dv = DV_GGX_fraction(lobe, H2, lobe.alpha2 * NoH * NoH, tangential2, NoL);
+  return dv.numerator / dv.denominator;
 }
 
 }  // namespace

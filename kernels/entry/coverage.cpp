@@ -3,6 +3,7 @@
 #include "kernels/entry/entries.hpp"
 #include "kernels/raster/fragments.hpp"
 #include "kernels/raster/pattern.hpp"
+#include "kernels/raster/tiny.hpp"
 
 namespace tessera::TESSERA_ISA {
 
@@ -22,13 +23,9 @@ void rasterize_opaque(const RasterizeArgs& args, RasterCounters* counters) {
   const SampleExtent extent = sample_extent(pattern);
   RasterCounters sum = *counters;
   if (pattern.count == 1) {
-    for (std::uint32_t i = 0; i < args.count; ++i) {
-      rasterize_triangle<1>(args.tile, args.triangles[args.list[i]], pattern, extent, sum);
-    }
+    rasterize_list<1>(args, pattern, extent, sum);
   } else {
-    for (std::uint32_t i = 0; i < args.count; ++i) {
-      rasterize_triangle<0>(args.tile, args.triangles[args.list[i]], pattern, extent, sum);
-    }
+    rasterize_list<0>(args, pattern, extent, sum);
   }
   *counters = sum;
 }

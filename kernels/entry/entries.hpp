@@ -26,6 +26,8 @@ extern const TermSpan<float>* const terms[];  // terms.cpp
 
 void shade(const ShadeArgs&);  // shade.cpp
 void background(const BackgroundArgs&);
+std::uint32_t cull_lights(const CullLightsArgs&);
+void store_pixels(const StorePixelsArgs&);
 
 void dfg_table(const DfgTableArgs&);  // bake.cpp
 void equirect_to_cube(const EquirectToCubeArgs&);

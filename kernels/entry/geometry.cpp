@@ -13,8 +13,13 @@ void project_vertices(const ViewTransform& view, const float* positions, std::ui
     const Int vertex = select(lane < Int(used), lane, Int(used - 1));
     const Int index = vertex + vertex + vertex;
     const float* p = positions + std::size_t(3) * first;
-    const Projected<Float> v =
-        project(view, to_clip(view, gather(p, index), gather(p + 1, index), gather(p + 2, index)));
+    Float xyz[3];
+    gather_triples(p, index, xyz);
+    const Projected<Float> v = project(view, to_clip(view, xyz[0], xyz[1], xyz[2]));
+    if (used == Float::lanes) {
+      store_quads(reinterpret_cast<float*>(out + first), {from_bits(v.x), from_bits(v.y), v.depth, from_bits(v.flags)});
+      continue;
+    }
     alignas(64) std::int32_t x[Float::lanes], y[Float::lanes], flags[Float::lanes];
     alignas(64) float depth[Float::lanes];
     store(x, v.x);

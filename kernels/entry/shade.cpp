@@ -1,5 +1,6 @@
 // Shading of G-buffers, and the visible background.
 #include "kernels/entry/entries.hpp"
+#include "kernels/light/cull.hpp"
 #include "kernels/light/environment.hpp"
 #include "kernels/shade/tile.hpp"
 
@@ -14,6 +15,8 @@ void shade(const ShadeArgs& given) {
   // The sets that scenes are made of have their own instance; the others run the next larger one.
   constexpr std::uint32_t lit = feature_lights | feature_environment;
   switch (args.features) {
+    case 0:
+      return shade_tile<0>(args);
     case feature_lights:
       return shade_tile<feature_lights>(args);
     case feature_environment:
@@ -41,6 +44,35 @@ void background(const BackgroundArgs& args) {
     store(args.radiance[1] + i, radiance.y);
     store(args.radiance[2] + i, radiance.z);
   }
+}
+
+std::uint32_t cull_lights(const CullLightsArgs& args) {
+  return cull_lights_against(bounding_box(args.position, args.count), args.lights, args.out);
+}
+
+void store_pixels(const StorePixelsArgs& args) {
+  const Float one(1);
+  // Pixels go to memory once and are not read again soon: whole lines past the caches, where rows lie on lines.
+  const bool lines = reinterpret_cast<std::uintptr_t>(args.rgba) % 64 == 0 && args.row_stride % 16 == 0;
+  for (int y = 0; y < args.height; ++y) {
+    const std::size_t row = std::size_t(y) * std::size_t(args.width);
+    float* out = args.rgba + std::size_t(y) * args.row_stride;
+    int x = 0;
+    for (; x + Float::lanes <= args.width; x += Float::lanes) {
+      const Float pixel[4] = {load<Float>(args.radiance[0] + row + x), load<Float>(args.radiance[1] + row + x),
+                              load<Float>(args.radiance[2] + row + x), one};
+      if (lines) {
+        stream_quads(out + 4 * x, pixel);
+      } else {
+        store_quads(out + 4 * x, pixel);
+      }
+    }
+    for (; x < args.width; ++x) {
+      for (int k = 0; k < 3; ++k) out[4 * x + k] = args.radiance[k][row + std::size_t(x)];
+      out[4 * x + 3] = 1;
+    }
+  }
+  if (lines) end_streaming();
 }
 
 }  // namespace tessera::TESSERA_ISA

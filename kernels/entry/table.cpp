@@ -33,6 +33,8 @@ const Kernels kernels = {
     terms,
     shade,
     background,
+    cull_lights,
+    store_pixels,
     dfg_table,
     equirect_to_cube,
     faces_to_cube,

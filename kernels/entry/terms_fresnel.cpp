@@ -16,6 +16,7 @@ constexpr Term<TermScalar> list[] = {
     TESSERA_TERM(F_LazanyiSzirmayKalos),    // F0, a, power, VoH
     TESSERA_TERM(F_Dielectric),             // eta, VoH
     TESSERA_TERM(F_CookTorrance),           // F0, VoH
+    TESSERA_TERM(F_Gotanda),                // F0, VoH
     TESSERA_TERM(F_Conductor),              // eta, k, VoH
     TESSERA_TERM(F_Gulbrandsen),            // F0, edge tint, VoH
 };

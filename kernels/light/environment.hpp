@@ -37,14 +37,36 @@ inline constexpr int mantissa_bits = 23;
 template <>
 inline constexpr int mantissa_bits<double> = 52;
 
-/// Three channels of the texel with this index (counted from level 0).
+/// Halves become floats by a shift, which leaves them 2^-112 times too small (exactly, subnormals included): the factor
+/// goes into the weights that they are multiplied by anyway. Signs are dropped; infinities and NaNs become numbers.
 template <class F>
-TESSERA_INLINE Vec3<F> cube_texel(const CubeView& cube, IntOf<F> index) {
-  const IntPair rgba = gather_pairs(cube.texels, index << 3);
-  return {half_to_float(rgba.low & Int(0xffff)), half_to_float(shift_right_logical(rgba.low, 16)),
-          half_to_float(rgba.high & Int(0xffff))};
+inline constexpr float texel_scale = 1;
+template <>
+inline constexpr float texel_scale<Float> = 0x1p112f;
+TESSERA_INLINE Float scaled_low_half(Int x) { return from_bits(shift_right_logical(x << 17, 4)); }
+TESSERA_INLINE Float scaled_high_half(Int x) { return from_bits(shift_right_logical(x, 3) & Int(0x0fffe000)); }
+
+/// Three channels of a texel and of its neighbour to the right.
+template <class F>
+struct TexelPair {
+  Vec3<F> left, right;
+};
+
+/// Two neighbours as they lie in memory, eight halves: the texels divided by texel_scale.
+TESSERA_INLINE TexelPair<Float> decode_texels(const Float (&words)[4]) {
+  const Int rg0 = bits(words[0]), b0 = bits(words[1]), rg1 = bits(words[2]), b1 = bits(words[3]);
+  return {{scaled_low_half(rg0), scaled_high_half(rg0), scaled_low_half(b0)},
+          {scaled_low_half(rg1), scaled_high_half(rg1), scaled_low_half(b1)}};
 }
-// One lane at a time: the same texel for tests and set-up.
+
+/// The texels index and index + 1 (counted from level 0), divided by texel_scale.
+template <class F>
+TESSERA_INLINE TexelPair<F> cube_texels(const CubeView& cube, IntOf<F> index) {
+  Float words[4];
+  gather_quads(reinterpret_cast<const float*>(cube.texels), index << 1, words);
+  return decode_texels(words);
+}
+// One lane at a time: the same texels for tests and set-up.
 template <class F>
 inline Vec3<F> cube_texel_scalar(const CubeView& cube, std::int64_t index) {
   const std::uint16_t* texel = cube.texels + 4 * index;
@@ -52,19 +74,25 @@ inline Vec3<F> cube_texel_scalar(const CubeView& cube, std::int64_t index) {
           F(half_to_float(std::int32_t(texel[2])))};
 }
 template <>
-inline Vec3<float> cube_texel<float>(const CubeView& cube, std::int32_t index) {
-  return cube_texel_scalar<float>(cube, index);
+inline TexelPair<float> cube_texels<float>(const CubeView& cube, std::int32_t index) {
+  return {cube_texel_scalar<float>(cube, index), cube_texel_scalar<float>(cube, std::int64_t{index} + 1)};
 }
 template <>
-inline Vec3<double> cube_texel<double>(const CubeView& cube, std::int64_t index) {
-  return cube_texel_scalar<double>(cube, index);
+inline TexelPair<double> cube_texels<double>(const CubeView& cube, std::int64_t index) {
+  return {cube_texel_scalar<double>(cube, index), cube_texel_scalar<double>(cube, index + 1)};
 }
 
-/// Bilinear lookup, times weight, in the level of n = (float) ni texels along a face whose first texel has the index
-/// `start`. The border makes it seamless: no footprint leaves its face.
+/// Two texels of a row, the two below them, and what each counts for.
 template <class F>
-TESSERA_INLINE Vec3<F> sample_cube_bilinear(const CubeView& cube, const CubePoint<F>& p, F n, IntOf<F> ni,
-                                            IntOf<F> start, F weight) {
+struct Footprint {
+  IntOf<F> above, below;  // index of the left one
+  F w00, w01, w10, w11;
+};
+
+/// The bilinear footprint, times weight, in the level of n = (float) ni texels along a face whose first texel has the
+/// index `start`. The border makes it seamless: no footprint leaves its face.
+template <class F>
+TESSERA_INLINE Footprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> ni, IntOf<F> start, F weight) {
   using I = IntOf<F>;
   const F half = n * F(0.5);
   const F centre = half + F(0.5);  // texel 0's centre is at 1/2 in the face and at 3/2 with the border: s n + 1/2
@@ -75,25 +103,64 @@ TESSERA_INLINE Vec3<F> sample_cube_bilinear(const CubeView& cube, const CubePoin
   const F fx = x - to_float(i), fy = y - to_float(j);
 
   const I row = ni + I(2);
-  const I first = start + (p.face * row + j) * row + i;
-  const F wy1 = fy * weight, wy0 = weight - wy1;
-  const F w01 = fx * wy0, w00 = wy0 - w01;
-  const F w11 = fx * wy1, w10 = wy1 - w11;
-  const Vec3<F> t00 = cube_texel<F>(cube, first), t01 = cube_texel<F>(cube, first + I(1));
-  const Vec3<F> t10 = cube_texel<F>(cube, first + row), t11 = cube_texel<F>(cube, first + row + I(1));
-  const auto blend = [&](F a, F b, F c, F d) { return mul_add(w11, d, mul_add(w10, c, mul_add(w01, b, w00 * a))); };
-  return {blend(t00.x, t01.x, t10.x, t11.x), blend(t00.y, t01.y, t10.y, t11.y), blend(t00.z, t01.z, t10.z, t11.z)};
+  Footprint<F> f;
+  f.above = start + (p.face * row + j) * row + i;
+  f.below = f.above + row;
+  const F scaled = weight * F(texel_scale<F>);
+  const F wy1 = fy * scaled, wy0 = scaled - wy1;
+  f.w01 = fx * wy0;
+  f.w00 = wy0 - f.w01;
+  f.w11 = fx * wy1;
+  f.w10 = wy1 - f.w11;
+  return f;
 }
 
-/// A level for each lane.
 template <class F>
-TESSERA_INLINE Vec3<F> sample_cube_level(const CubeView& cube, const CubePoint<F>& p, IntOf<F> level, F weight) {
+TESSERA_INLINE Vec3<F> blend(const Footprint<F>& f, const TexelPair<F>& above, const TexelPair<F>& below) {
+  const auto channel = [&](F a, F b, F c, F d) {
+    return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
+  };
+  return {channel(above.left.x, above.right.x, below.left.x, below.right.x),
+          channel(above.left.y, above.right.y, below.left.y, below.right.y),
+          channel(above.left.z, above.right.z, below.left.z, below.right.z)};
+}
+
+template <class F>
+TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const Footprint<F>& f) {
+  const TexelPair<F> above = cube_texels<F>(cube, f.above), below = cube_texels<F>(cube, f.below);
+  return blend(f, above, below);
+}
+
+/// Footprints in a level and in the next coarser one: their sum is the trilinear lookup.
+template <class F>
+struct CubeLookup {
+  Footprint<F> fine, coarse;
+};
+
+/// As sample_cube.
+template <class F>
+TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const Vec3<F>& direction, F lod) {
   using I = IntOf<F>;
-  const F n = from_bits(bits(F(cube.size)) - (level << mantissa_bits<F>));  // size >> level, exactly
+  const CubePoint<F> p = cube_point(direction);
+  const int last = cube.levels - 1, step = cube.levels > 1 ? 1 : 0;
+  const F level = clamp(lod, F(0), F(last));
+  const I fine = min(truncate_to_int(level), I(last - step));  // at the last level: all weight on the coarser one
+  const F w = level - to_float(fine);
+
+  const F n = from_bits(bits(F(cube.size)) - (fine << mantissa_bits<F>));  // size >> level, exactly
   const I ni = truncate_to_int(n), size = I(cube.size);
   // cube_level_offset: 6 times the sum over k < level of ((size >> k) + 2)^2.
-  const I start = ((size - ni) * (size + ni + I(6)) << 3) + level * I(24);
-  return sample_cube_bilinear(cube, p, n, ni, start, weight);
+  const I start = ((size - ni) * (size + ni + I(6)) << 3) + fine * I(24);
+  const I next = start + (ni + I(2)) * (ni + I(2)) * I(6);
+  CubeLookup<F> lookup;
+  lookup.fine = cube_footprint(p, n, ni, start, F(1) - w);
+  if (step == 0) {
+    lookup.coarse = lookup.fine;
+    lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
+  } else {
+    lookup.coarse = cube_footprint(p, n * F(0.5), ni >> 1, next, w);
+  }
+  return lookup;
 }
 
 /// One level for all lanes.
@@ -102,7 +169,7 @@ TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubeP
   using I = IntOf<F>;
   const int n = cube.size >> level;
   const int start = 8 * (cube.size - n) * (cube.size + n + 6) + 24 * level;
-  return sample_cube_bilinear(cube, p, F(n), I(n), I(start), F(weight));
+  return sample_footprint(cube, cube_footprint(p, F(n), I(n), I(start), F(weight)));
 }
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
@@ -110,15 +177,8 @@ TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubeP
 /// texel of the cube: never a read outside it, and a finite result as its texels are. Cube size at most 4096.
 template <class F>
 inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod) {
-  using I = IntOf<F>;
-  const CubePoint<F> p = cube_point(direction);
-  const F level = clamp(lod, F(0), F(cube.levels - 1));
-  const I fine = truncate_to_int(level);
-  const I coarse = select(fine < I(cube.levels - 1), fine + I(1), fine);
-  const F w = level - to_float(fine);
-  const Vec3<F> a = sample_cube_level(cube, p, fine, F(1) - w);
-  const Vec3<F> b = sample_cube_level(cube, p, coarse, w);
-  return a + b;
+  const CubeLookup<F> lookup = cube_lookup(cube, direction, lod);
+  return sample_footprint(cube, lookup.fine) + sample_footprint(cube, lookup.coarse);
 }
 
 /// As above with one lod for all lanes: a whole level is read once.
@@ -136,7 +196,7 @@ inline Vec3<F> sample_cube_uniform(const CubeView& cube, const Vec3<F>& directio
 /// E(n) / pi from nine coefficients (EnvironmentView::irradiance_sh), n a unit vector. Clamped to >= 0: a bright sun
 /// makes the truncated series negative on its far side.
 template <class F>
-inline Vec3<F> irradiance(const float sh[9][3], const Vec3<F>& n) {
+TESSERA_INLINE Vec3<F> irradiance(const float sh[9][3], const Vec3<F>& n) {
   const F xy = n.x * n.y, yz = n.y * n.z, xz = n.x * n.z;
   const F zz = mul_sub(F(3) * n.z, n.z, F(1));
   const F xx_yy = difference_of_products(n.x, n.x, n.y, n.y);
@@ -149,10 +209,31 @@ inline Vec3<F> irradiance(const float sh[9][3], const Vec3<F>& n) {
   return {r, g, b};
 }
 
-/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. NoV and r (perceptual) in [0, 1];
-/// bilinear, clamped to the table's edge.
+/// (A, B) of two neighbours in a row of the table.
 template <class F>
-inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
+struct DfgTexels {
+  F A0, B0, A1, B1;
+};
+template <class F>
+TESSERA_INLINE DfgTexels<F> dfg_texels(const DfgView& dfg, IntOf<F> index) {
+  Float words[4];
+  gather_quads(dfg.texels, index << 1, words);
+  return {words[0], words[1], words[2], words[3]};
+}
+template <>
+inline DfgTexels<float> dfg_texels<float>(const DfgView& dfg, std::int32_t index) {
+  const float* t = dfg.texels + std::ptrdiff_t{2} * index;
+  return {t[0], t[1], t[2], t[3]};
+}
+template <>
+inline DfgTexels<double> dfg_texels<double>(const DfgView& dfg, std::int64_t index) {
+  const float* t = dfg.texels + 2 * index;
+  return {double(t[0]), double(t[1]), double(t[2]), double(t[3])};
+}
+
+/// NoV and r (perceptual) in [0, 1]; bilinear, clamped to the table's edge.
+template <class F>
+TESSERA_INLINE Footprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {
   using I = IntOf<F>;
   const F size = F(dfg.size), last = F(dfg.size - 1);
   const F x = clamp(mul_sub(NoV, size, F(0.5)), F(0), last);
@@ -160,17 +241,25 @@ inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
   const I i = truncate_to_int(min(x, F(dfg.size - 2))), j = truncate_to_int(min(y, F(dfg.size - 2)));
   const F w1 = x - to_float(i), v1 = y - to_float(j);
   const F w0 = F(1) - w1, v0 = F(1) - v1;
-  const F w00 = v0 * w0, w01 = v0 * w1, w10 = v1 * w0, w11 = v1 * w1;
-  const I index = (j * I(dfg.size) + i) << 1;
-  const I below = index + I(2 * dfg.size);
-  const auto channel = [&](int c) {
-    const float* texels = dfg.texels + c;
-    const F a = F(gather(texels, index)), b = F(gather(texels + 2, index));
-    const F d = F(gather(texels, below)), e = F(gather(texels + 2, below));
-    return mul_add(w11, e, mul_add(w10, d, mul_add(w01, b, w00 * a)));
+  const I above = j * I(dfg.size) + i;
+  return {above, above + I(dfg.size), v0 * w0, v0 * w1, v1 * w0, v1 * w1};
+}
+
+template <class F>
+TESSERA_INLINE void blend(const Footprint<F>& f, const DfgTexels<F>& above, const DfgTexels<F>& below, F& A, F& B) {
+  const auto channel = [&](F a, F b, F c, F d) {
+    return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
   };
-  A = channel(0);
-  B = channel(1);
+  A = channel(above.A0, above.A1, below.A0, below.A1);
+  B = channel(above.B0, above.B1, below.B0, below.B1);
+}
+
+/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. Arguments as dfg_footprint.
+template <class F>
+inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
+  const Footprint<F> f = dfg_footprint(dfg, NoV, r);
+  const DfgTexels<F> above = dfg_texels<F>(dfg, f.above), below = dfg_texels<F>(dfg, f.below);
+  blend(f, above, below, A, B);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // color and inverse_range_squared >= 0.
 #pragma once
 #include "kernels/interface.hpp"
+#include "kernels/math/roots.hpp"
 #include "kernels/math/vector.hpp"
 #include "kernels/simd.hpp"
 
@@ -14,45 +15,75 @@ namespace {
 /// from overflow; nearer than that, the light's direction shrinks to zero, so a light at the point itself adds nothing.
 inline constexpr double min_distance_squared = 1e-12;
 
-/// What arrives from a light: color * attenuation is the irradiance (lux) of a surface that faces it.
-template <class F>
-struct Incident {
-  Vec3<F> l;  // towards the light, unit
-  F attenuation;
-};
-
 template <class F>
 TESSERA_INLINE Vec3<F> broadcast(const float v[3]) {
   return {F(v[0]), F(v[1]), F(v[2])};
 }
 
-/// position within +-1e12: distances cubed then stay finite.
-template <class F>
-TESSERA_INLINE Incident<F> incident_light(const LightView& light, const Vec3<F>& position) {
-  const Vec3<F> direction = broadcast<F>(light.direction);
-  if (light.type == LightType::directional) return {-direction, F(1)};
+/// A light's type and falloff at compile time: the light loop runs without asking.
+enum class LightKind { directional, point, point_plus_one, spot, spot_plus_one };
+inline constexpr bool is_spot(LightKind kind) { return kind == LightKind::spot || kind == LightKind::spot_plus_one; }
+inline constexpr bool is_plus_one(LightKind kind) {
+  return kind == LightKind::point_plus_one || kind == LightKind::spot_plus_one;
+}
+TESSERA_INLINE LightKind kind_of(const LightView& light) {
+  if (light.type == LightType::directional) return LightKind::directional;
+  const bool plus_one = light.falloff == Falloff::windowed_plus_one;
+  if (light.type == LightType::spot) return plus_one ? LightKind::spot_plus_one : LightKind::spot;
+  return plus_one ? LightKind::point_plus_one : LightKind::point;
+}
 
-  const Vec3<F> d = broadcast<F>(light.position) - position;
-  const F d2 = max(dot(d, d), F(min_distance_squared));
-  const F q = d2 * F(light.inverse_range_squared);
-  const F window = max(neg_mul_add(q, q, F(1)), F(0));
-  const F distance = sqrt(d2);
-  Incident<F> in;
-  if (light.falloff == Falloff::inverse_square) {
-    // KHR_lights_punctual, Range property: max(min(1 - (d/range)^4, 1), 0) / d^2.
-    const F inverse = F(1) / distance;
-    in = {d * inverse, window * (inverse * inverse)};
+/// A light as a point sees it before any root is taken: enough to know whether it reaches the point at all.
+template <class F>
+struct Reach {
+  Vec3<F> d;  // towards the light; its length is the distance
+  F d2;       // |d|^2
+  F window;   // of its range: 0 where the light ends
+};
+
+/// What arrives from a light. color * strength / divisor is the irradiance (lux) of a surface that faces it: the
+/// division is left to the lobe, which divides anyway.
+template <class F>
+struct Incident {
+  F inverse_length;     // l = d * inverse_length is towards the light, unit
+  F strength, divisor;  // divisor >= 1
+};
+
+/// position within +-1e12: distances cubed then stay finite.
+template <LightKind kind, class F>
+TESSERA_INLINE Reach<F> light_reach(const LightView& light, const Vec3<F>& position) {
+  Reach<F> reach;
+  if constexpr (kind == LightKind::directional) {
+    reach.d = -broadcast<F>(light.direction);
+    reach.d2 = reach.window = F(1);
   } else {
-    // Karis 2013, Real Shading in Unreal Engine 4, eq. 9: sat(1 - (d/range)^4)^2 / (d^2 + 1). One division gives both
-    // 1/d and 1/(d^2 + 1).
-    const F d2_plus_1 = d2 + F(1);
-    const F inverse = F(1) / (distance * d2_plus_1);
-    in = {d * (inverse * d2_plus_1), window * window * (inverse * distance)};
+    reach.d = broadcast<F>(light.position) - position;
+    reach.d2 = max(dot(reach.d, reach.d), F(min_distance_squared));
+    const F q = reach.d2 * F(light.inverse_range_squared);
+    reach.window = max(neg_mul_add(q, q, F(1)), F(0));
   }
-  if (light.type == LightType::spot) {
+  return reach;
+}
+
+template <LightKind kind, class F>
+TESSERA_INLINE Incident<F> incident_light(const LightView& light, const Reach<F>& reach) {
+  Incident<F> in;
+  in.inverse_length = in.strength = in.divisor = F(1);
+  if constexpr (kind == LightKind::directional) return in;
+  in.inverse_length = reciprocal_sqrt(reach.d2);
+  if constexpr (is_plus_one(kind)) {
+    // Karis 2013, Real Shading in Unreal Engine 4, eq. 9: sat(1 - (d/range)^4)^2 / (d^2 + 1).
+    in.strength = reach.window * reach.window;
+    in.divisor = reach.d2 + F(1);
+  } else {
+    // KHR_lights_punctual, Range property: max(min(1 - (d/range)^4, 1), 0) / d^2.
+    in.strength = reach.window * (in.inverse_length * in.inverse_length);
+  }
+  if constexpr (is_spot(kind)) {
     // KHR_lights_punctual, Inner and Outer Cone Angles: the squared linear ramp in the cosine.
-    const F cone = saturate(neg_mul_add(dot(in.l, direction), F(light.spot_scale), F(light.spot_offset)));
-    in.attenuation = in.attenuation * (cone * cone);
+    const F cosine = dot(reach.d, broadcast<F>(light.direction)) * in.inverse_length;
+    const F cone = saturate(neg_mul_add(cosine, F(light.spot_scale), F(light.spot_offset)));
+    in.strength = in.strength * (cone * cone);
   }
   return in;
 }

@@ -27,16 +27,21 @@ inline SampleMeans sample_means(const SamplePattern& pattern) {
   return {(1u << pattern.count) - 1u, static_cast<float>(x) * scale, static_cast<float>(y) * scale};
 }
 
+inline constexpr int few_triangles = 4;
+
 /// The lanes' fragments, the points at which they are shaded, and the vertices of their triangles.
 struct FragmentLanes {
   Float x, y;  // pixels, in the window
+  // Where lanes see few different triangles, those triangles' vertices are read once each and spread over the lanes.
+  int triangles;                           // 1 to few_triangles; 0: more, gather by `vertex`
+  std::uint32_t shared[few_triangles][3];  // vertices of each
+  Mask sees[few_triangles];                // lanes
   Int vertex[3];
-  bool one_triangle;  // all lanes see the same one: its vertices are read once
-  std::uint32_t shared[3];
 };
 
 /// Mean position of the covered samples. A fragment that covers none (which no rasterizer makes) counts as full.
-inline void mean_of_samples(const SamplePattern& pattern, const SampleMeans& means, Int samples, Float& x, Float& y) {
+TESSERA_INLINE void mean_of_samples(const SamplePattern& pattern, const SampleMeans& means, Int samples, Float& x,
+                                    Float& y) {
   x = Float(means.x);
   y = Float(means.y);
   samples = samples & Int(static_cast<std::int32_t>(means.full));
@@ -56,12 +61,16 @@ inline void mean_of_samples(const SamplePattern& pattern, const SampleMeans& mea
 
 /// Fragments [begin, begin + lanes) of count. Lanes past the end repeat the last fragment.
 template <class Args>
-inline FragmentLanes load_fragments(const Args& args, const SampleMeans& means, std::uint32_t begin) {
-  const Int last(static_cast<std::int32_t>(args.count - 1 - begin));
-  const Int lane = select(lane_index() > last, last, lane_index());
+TESSERA_INLINE FragmentLanes load_fragments(const Args& args, const SampleMeans& means, std::uint32_t begin) {
   const Fragment* fragments = args.fragments + begin;
-  const Int triangle = gather_bytes(fragments, lane << 3);
-  const Int pixel_samples = gather_bytes(fragments, (lane << 3) + Int(4));
+  Fragment padded[Int::lanes];
+  const int left = static_cast<int>(min(std::int64_t{args.count - begin}, std::int64_t{Int::lanes}));
+  if (left < Int::lanes) {
+    for (int i = 0; i < Int::lanes; ++i) padded[i] = fragments[i < left ? i : left - 1];
+    fragments = padded;
+  }
+  const IntPair words = load_pairs(fragments);
+  const Int triangle = words.low, pixel_samples = words.high;
   const Int pixel = pixel_samples & Int(0xffff);
   FragmentLanes f;
   Float mean_x, mean_y;
@@ -69,29 +78,82 @@ inline FragmentLanes load_fragments(const Args& args, const SampleMeans& means, 
   f.x = to_float(Int(args.tile_x) + (pixel & Int(tile_size - 1))) + mean_x;
   f.y = to_float(Int(args.tile_y) + shift_right_logical(pixel, tile_shift)) + mean_y;
 
-  f.one_triangle = all(triangle == Int(static_cast<std::int32_t>(fragments->triangle)));
   const Triangle* triangles = args.geometry.triangles;
-  for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      f.shared[i] = triangles[fragments->triangle].vertex[i];
-    } else {
-      const auto* base = reinterpret_cast<const std::int32_t*>(triangles->vertex + i);
-      f.vertex[i] = gather(base, triangle << 2);
+  f.triangles = 0;
+  std::uint32_t unseen = to_bits(Mask(true));
+  for (int n = 0; n < few_triangles; ++n) {
+    const std::uint32_t of_lane = fragments[__builtin_ctz(unseen)].triangle;
+    f.sees[n] = triangle == Int(of_lane);
+    for (int i = 0; i < 3; ++i) f.shared[n][i] = triangles[of_lane].vertex[i];
+    unseen &= ~to_bits(f.sees[n]);
+    if (unseen == 0) {
+      f.triangles = n + 1;
+      return f;
     }
   }
+  Float record[4];
+  gather_quads(reinterpret_cast<const float*>(triangles), triangle << 2, record);
+  for (int i = 0; i < 3; ++i) f.vertex[i] = bits(record[i]);
   return f;
 }
 
-inline void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
-  for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      const float* at = geometry.positions + std::size_t{f.shared[i]} * 3;
-      p[i] = {Float(at[0]), Float(at[1]), Float(at[2])};
-    } else {
-      const Int index = f.vertex[i] * Int(3);
-      p[i] = {gather(geometry.positions, index), gather(geometry.positions + 1, index),
-              gather(geometry.positions + 2, index)};
+/// `size` floats of vertex i of the lanes' triangles, of which there are n: records of `stride` floats at base.
+template <int n, int size>
+TESSERA_INLINE void spread_few(const FragmentLanes& f, const float* base, std::size_t stride, int i,
+                               Float (&out)[size]) {
+  const float* at[n];
+  for (int k = 0; k < n; ++k) at[k] = base + f.shared[k][i] * stride;
+  for (int c = 0; c < size; ++c) {
+    out[c] = Float(at[0][c]);
+    for (int k = 1; k < n; ++k) out[c] = select(f.sees[k], Float(at[k][c]), out[c]);
+  }
+}
+
+template <int size>
+TESSERA_INLINE void spread_records(const FragmentLanes& f, const float* base, std::size_t stride, int i,
+                                   Float (&out)[size]) {
+  static_assert(few_triangles == 4);
+  if (f.triangles == 1) return spread_few<1>(f, base, stride, i, out);
+  if (f.triangles == 2) return spread_few<2>(f, base, stride, i, out);
+  if (f.triangles == 3) return spread_few<3>(f, base, stride, i, out);
+  spread_few<4>(f, base, stride, i, out);
+}
+
+/// What later fragments read, fetched while earlier ones are worked on: triangles some vectors ahead, their vertices a
+/// vector ahead. Neighbours mostly see the same triangle.
+TESSERA_INLINE void prefetch_fragments(const ResolveArgs& args, std::uint32_t at) {
+  constexpr auto lanes = std::uint32_t(Int::lanes);
+  constexpr std::uint32_t far = lanes >= 16 ? 3 * lanes : 48, near = lanes >= 16 ? lanes : 16;
+  const auto changes = [&](std::uint32_t begin) {  // lanes whose triangle is not that of the fragment before
+    if (begin + lanes > args.count) return 0u;
+    const Int here = load_pairs(args.fragments + begin).low, before = load_pairs(args.fragments + begin - 1).low;
+    return to_bits(here != before);
+  };
+  for (std::uint32_t left = changes(at + far); left != 0; left &= left - 1)
+    __builtin_prefetch(args.geometry.triangles + args.fragments[at + far + __builtin_ctz(left)].triangle);
+  for (std::uint32_t left = changes(at + near); left != 0; left &= left - 1) {
+    const Triangle& triangle = args.geometry.triangles[args.fragments[at + near + __builtin_ctz(left)].triangle];
+    for (const std::uint32_t vertex : triangle.vertex) {
+      if (args.geometry.surfaces != nullptr) {
+        __builtin_prefetch(args.geometry.surfaces + vertex);
+        __builtin_prefetch(reinterpret_cast<const char*>(args.geometry.surfaces + vertex + 1) - 1);
+      } else {
+        __builtin_prefetch(args.geometry.positions + std::size_t{3} * vertex);
+        __builtin_prefetch(args.geometry.attributes + vertex);
+      }
     }
+  }
+}
+
+TESSERA_INLINE void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    Float at[3];
+    if (f.triangles != 0) {
+      spread_records(f, geometry.positions, 3, i, at);
+    } else {
+      gather_triples(geometry.positions, f.vertex[i] * Int(3), at);
+    }
+    p[i] = {at[0], at[1], at[2]};
   }
 }
 
@@ -101,18 +163,20 @@ static_assert(offsetof(VertexAttributes, tangent) == tangent_offset * sizeof(flo
 static_assert(offsetof(VertexAttributes, uv) == uv_offset * sizeof(float));
 static_assert(offsetof(VertexAttributes, color) == color_offset * sizeof(float));
 
-/// `size` floats from `offset` on, of the three vertices.
+/// `size` floats (at most four) from `offset` on, of the three vertices.
 template <int size>
 inline void fetch_attribute(const GeometryView& geometry, const FragmentLanes& f, int offset, Float (&out)[size][3]) {
   constexpr int stride = sizeof(VertexAttributes) / sizeof(float);
   const float* base = geometry.attributes->normal + offset;
   for (int i = 0; i < 3; ++i) {
-    if (f.one_triangle) {
-      const float* at = base + std::size_t{f.shared[i]} * stride;
-      for (int c = 0; c < size; ++c) out[c][i] = Float(at[c]);
+    if (f.triangles != 0) {
+      Float at[size];
+      spread_records(f, base, stride, i, at);
+      for (int c = 0; c < size; ++c) out[c][i] = at[c];
     } else {
-      const Int index = f.vertex[i] * Int(stride);
-      for (int c = 0; c < size; ++c) out[c][i] = gather(base + c, index);
+      Float record[4];  // no offset is so far back that four floats would leave the vertex
+      gather_quads(base, f.vertex[i] * Int(stride), record);
+      for (int c = 0; c < size; ++c) out[c][i] = record[c];
     }
   }
 }
@@ -124,6 +188,30 @@ inline void interpolate_attribute(const GeometryView& geometry, const FragmentLa
   Float corners[size][3];
   fetch_attribute(geometry, f, offset, corners);
   for (int c = 0; c < size; ++c) out[c] = interpolate(b, corners[c][0], corners[c][1], corners[c][2]);
+}
+
+/// The three vertices, twelve floats each: SurfaceVertex's members in order.
+struct SurfaceCorners {
+  Float vertex[3][12];
+};
+static_assert(offsetof(SurfaceVertex, normal) == 3 * sizeof(float));
+static_assert(offsetof(SurfaceVertex, base_color) == 6 * sizeof(float));
+static_assert(offsetof(SurfaceVertex, metallic) == 9 * sizeof(float));
+
+TESSERA_INLINE void fetch_surfaces(const GeometryView& geometry, const FragmentLanes& f, SurfaceCorners& out) {
+  constexpr int size = 12;
+  const float* base = geometry.surfaces->position;
+  for (int i = 0; i < 3; ++i) {
+    if (f.triangles != 0) {
+      spread_records(f, base, size, i, out.vertex[i]);
+    } else {
+      gather_quads(base, f.vertex[i] * Int(size), out.vertex[i]);
+    }
+  }
+}
+
+TESSERA_INLINE Float interpolate(const SurfaceCorners& corners, const Barycentrics<Float>& b, int word) {
+  return interpolate(b, corners.vertex[0][word], corners.vertex[1][word], corners.vertex[2][word]);
 }
 
 }  // namespace

@@ -25,14 +25,14 @@ struct Barycentrics {
 };
 
 template <class F>
-inline F transform_row(const float row[4], const Vec3<F>& p) {
+TESSERA_INLINE F transform_row(const float row[4], const Vec3<F>& p) {
   return mul_add(F(row[0]), p.x, mul_add(F(row[1]), p.y, mul_add(F(row[2]), p.z, F(row[3]))));
 }
 
 /// The window point (px, py), in pixels, on the triangle of these world positions. Total: a triangle without area, or
 /// whose numbers overflow, answers with its centroid and no change.
 template <class F>
-inline Barycentrics<F> barycentrics(const ViewTransform& view, const Vec3<F> (&p)[3], F px, F py) {
+TESSERA_INLINE Barycentrics<F> barycentrics(const ViewTransform& view, const Vec3<F> (&p)[3], F px, F py) {
   F x[3], y[3], w[3];
   for (int i = 0; i < 3; ++i) {
     w[i] = transform_row(view.w, p[i]);
@@ -72,12 +72,12 @@ inline Barycentrics<F> barycentrics(const ViewTransform& view, const Vec3<F> (&p
 }
 
 template <class F>
-inline F interpolate(const Barycentrics<F>& b, F a0, F a1, F a2) {
+TESSERA_INLINE F interpolate(const Barycentrics<F>& b, F a0, F a1, F a2) {
   return mul_add(b.b2, a2, mul_add(b.b1, a1, b.b0 * a0));
 }
 
 template <class F>
-inline Vec3<F> interpolate(const Barycentrics<F>& b, const Vec3<F> (&a)[3]) {
+TESSERA_INLINE Vec3<F> interpolate(const Barycentrics<F>& b, const Vec3<F> (&a)[3]) {
   return {interpolate(b, a[0].x, a[1].x, a[2].x), interpolate(b, a[0].y, a[1].y, a[2].y),
           interpolate(b, a[0].z, a[1].z, a[2].z)};
 }

@@ -39,6 +39,30 @@ TESSERA_INLINE BlockMasks classify_blocks(const TileEdges& edges, const TileBox&
   return out;
 }
 
+/// For each block a depth that no sample of it lies behind. Only ever too far: drawing brings samples nearer.
+struct CoarseDepth {
+  float least[blocks_per_tile];
+
+  TESSERA_INLINE CoarseDepth() {
+    for (float& depth : least) depth = 0;  // of a cleared tile
+  }
+  /// Reads the block again.
+  TESSERA_INLINE void refresh(const VisibilityTile& tile, int block, int samples) {
+    const float* first = tile.depth + block / block_columns * block_height * tile_size +
+                         block % block_columns * block_width;
+    Float nearest = load<Float>(first);
+    for (int s = 0; s < samples; ++s)
+      for (int y = 0; y < block_height; ++y)
+        for (int x = 0; x < block_width; x += Float::lanes)
+          nearest = min(nearest, load<Float>(first + s * tile_pixels + y * tile_size + x));
+    alignas(64) float lanes[Float::lanes];
+    store(lanes, nearest);
+    float depth = lanes[0];
+    for (const float lane_depth : lanes) depth = lane_depth < depth ? lane_depth : depth;
+    least[block] = depth;
+  }
+};
+
 /// A triangle in a tile, ready for its rows.
 struct TriangleInTile {
   const VisibilityTile& tile;
@@ -66,6 +90,19 @@ struct TriangleInTile {
     return plane.at(along, Float(from_vertex(tile.y << subpixel_bits, y, pattern.y[s], triangle.y[0])));
   }
 };
+
+/// The triangle's greatest depth in a block. Depth is monotonic along x and along y, rounding included, so that it is
+/// that of a corner.
+TESSERA_INLINE float greatest_depth(const VisibilityTile& tile, const SetupTriangle& t, const SampleExtent& extent,
+                                    int block_x, int block_y) {
+  const DepthPlane<float> plane(t);
+  const bool right = t.depth_dx > 0, below = t.depth_dy > 0;
+  const float x = from_vertex(tile.x << subpixel_bits, block_x + (right ? block_width - 1 : 0),
+                              right ? extent.x_max : extent.x_min, t.x[0]);
+  const float y = from_vertex(tile.y << subpixel_bits, block_y + (below ? block_height - 1 : 0),
+                              below ? extent.y_max : extent.y_min, t.y[0]);
+  return plane.at(plane.along_x(x), y);
+}
 
 /// Nearer wins; at equal depth the lower triangle index, so that the order of triangles does not matter.
 TESSERA_INLINE Mask depth_test(Mask covered, Float depth, Float old_depth, const std::uint32_t* old_triangle,
@@ -115,7 +152,7 @@ inline constexpr bool skip_empty_rows = Float::lanes == 4;
 /// N: the number of samples where it is known at compile time, else 0.
 template <int N>
 TESSERA_INLINE void rasterize_triangle(const VisibilityTile& tile, const SetupTriangle& triangle,
-                                       const SamplePattern& pattern, const SampleExtent& extent,
+                                       const SamplePattern& pattern, const SampleExtent& extent, CoarseDepth& coarse,
                                        RasterCounters& counters) {
   const int samples = N > 0 ? N : pattern.count;
   const TileBox box = tile_box(tile, triangle, extent);
@@ -140,6 +177,7 @@ TESSERA_INLINE void rasterize_triangle(const VisibilityTile& tile, const SetupTr
     const int block = __builtin_ctz(left);
     const bool inside = (blocks.inside >> block & 1) != 0;
     const int block_x = block % block_columns * block_width, block_y = block / block_columns * block_height;
+    if (greatest_depth(tile, triangle, extent, block_x, block_y) < coarse.least[block]) continue;  // hidden
     const int y0 = max(block_y, box.y0), y1 = min(block_y + block_height - 1, box.y1);
     const int x_last = min(block_x + block_width - 1, box.x1);
     for (int s = 0; s < samples; ++s) {
@@ -151,6 +189,7 @@ TESSERA_INLINE void rasterize_triangle(const VisibilityTile& tile, const SetupTr
         }
       }
     }
+    if (inside) coarse.refresh(tile, block, samples);
   }
 }
 

@@ -15,21 +15,22 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-inline Float finite_or_zero(Float x) { return select(abs(x) <= Float(3.402823466e38f), x, Float(0)); }
-inline Float non_negative(Float x) { return finite_or_zero(max(x, Float(0))); }
+TESSERA_INLINE Float finite_or_zero(Float x) { return select(abs(x) <= Float(3.402823466e38f), x, Float(0)); }
+TESSERA_INLINE Float non_negative(Float x) { return finite_or_zero(max(x, Float(0))); }
 
-inline void store_vector(float* const (&planes)[3], std::uint32_t at, Float x, Float y, Float z) {
+TESSERA_INLINE void store_vector(float* const (&planes)[3], std::uint32_t at, Float x, Float y, Float z) {
   store(planes[0] + at, x);
   store(planes[1] + at, y);
   store(planes[2] + at, z);
 }
 
 /// World position and reversed depth.
-inline void resolve_position(const ResolveArgs& args, const Barycentrics<Float>& b, const Vec3<Float> (&corners)[3],
-                             std::uint32_t at) {
+TESSERA_INLINE void resolve_position(const ResolveArgs& args, const Barycentrics<Float>& b,
+                                     const Vec3<Float> (&corners)[3], std::uint32_t at) {
   const Vec3<Float> p = interpolate(b, corners);
   store_vector(args.out.position, at, finite_or_zero(p.x), finite_or_zero(p.y), finite_or_zero(p.z));
-  store(args.out.depth + at, saturate(transform_row(args.view.z, p) / transform_row(args.view.w, p)));
+  if (args.out.depth != nullptr)
+    store(args.out.depth + at, saturate(transform_row(args.view.z, p) / transform_row(args.view.w, p)));
 }
 
 /// The tangent frame at the shaded point. `interpolated` is not normalised, `normal` is.
@@ -48,37 +49,64 @@ inline TangentFrame<Float> resolve_frame(const ResolveArgs& args, const Fragment
   return frame_from_uv(normal, edge1, edge2, step1.du, step1.dv, step2.du, step2.dv);
 }
 
+/// The unit shading normal of an interpolated one.
+TESSERA_INLINE Vec3<Float> unit_normal(const Vec3<Float>& interpolated, const Vec3<Float> (&corners)[3]) {
+  const Float squared = dot(interpolated, interpolated);
+  // As normalize() decides; the plane's normal is needed only where vertices' normals cancel out.
+  if (all((squared > Float(0x1p-126)) & (squared < Float(3e38)))) return normalize(interpolated);
+  return normalize(interpolated, geometric_normal(corners[1] - corners[0], corners[2] - corners[0]));
+}
+
+/// A surface seen from behind is the front's mirror image: the whole frame turns round.
+TESSERA_INLINE void store_normal(const ResolveArgs& args, const Vec3<Float>& normal, const Barycentrics<Float>& b,
+                                 std::uint32_t at) {
+  const Float side = args.material->double_sided ? select(b.back, Float(-1), Float(1)) : Float(1);
+  store_vector(args.out.normal, at, normal.x * side, normal.y * side, normal.z * side);
+}
+
 template <bool textured>
-inline void resolve_normal(const ResolveArgs& args, const MaterialSamplers& samplers, const MaterialSamples& samples,
-                           const FragmentLanes& f, const Barycentrics<Float>& b, const Vec3<Float> (&corners)[3],
-                           std::uint32_t at) {
+inline Vec3<Float> resolve_normal(const ResolveArgs& args, const MaterialSamplers& samplers,
+                                  const MaterialSamples& samples, const FragmentLanes& f, const Barycentrics<Float>& b,
+                                  const Vec3<Float> (&corners)[3]) {
   const MaterialView& material = *args.material;
   Float interpolated[3];
   interpolate_attribute(args.geometry, f, b, normal_offset, interpolated);
   const Vec3<Float> raw{interpolated[0], interpolated[1], interpolated[2]};
-  const Vec3<Float> edge1 = corners[1] - corners[0];
-  const Vec3<Float> edge2 = corners[2] - corners[0];
-  Vec3<Float> normal = normalize(raw, geometric_normal(edge1, edge2));
+  const Vec3<Float> normal = unit_normal(raw, corners);
   if constexpr (textured) {
     Float texel[4];
     if (sample_slot<channel_r | channel_g | channel_b>(material, samplers, samples, normal_slot, texel)) {
-      const TangentFrame<Float> frame = resolve_frame(args, f, b, samples.uv, edge1, edge2, raw, normal);
-      normal = perturb_normal(frame, texel[0], texel[1], texel[2], Float(material.normal_scale), normal);
+      const TangentFrame<Float> frame =
+          resolve_frame(args, f, b, samples.uv, corners[1] - corners[0], corners[2] - corners[0], raw, normal);
+      return perturb_normal(frame, texel[0], texel[1], texel[2], Float(material.normal_scale), normal);
     }
   }
-  // A surface seen from behind is the front's mirror image: the whole frame turns round.
-  const Float side = material.double_sided ? select(b.back, Float(-1), Float(1)) : Float(1);
-  store_vector(args.out.normal, at, normal.x * side, normal.y * side, normal.z * side);
+  return normal;
 }
 
+TESSERA_INLINE void store_material(const ResolveArgs& args, const Float (&color)[4], const SurfaceScalars& s,
+                                   const Float (&glow)[3], std::uint32_t at) {
+  const GBufferView& out = args.out;
+  store_vector(out.base_color, at, non_negative(color[0]), non_negative(color[1]), non_negative(color[2]));
+  if (out.alpha != nullptr)
+    store(out.alpha + at, args.material->alpha_mode == AlphaMode::blend ? saturate(color[3]) : Float(1));
+  store(out.metallic + at, saturate(s.metallic));
+  store(out.roughness + at, saturate(s.roughness));
+  store(out.occlusion + at, saturate(s.occlusion));
+  if (out.emissive[0] != nullptr)
+    store_vector(out.emissive, at, non_negative(glow[0]), non_negative(glow[1]), non_negative(glow[2]));
+  if (out.unlit != nullptr) store(out.unlit + at, Float(args.material->unlit ? 1 : 0));
+}
+
+/// A run of fragments on vertices with VertexAttributes.
 template <bool textured>
 inline void resolve_run(const ResolveArgs& args) {
   const MaterialView& material = *args.material;
   const SampleMeans means = sample_means(args.pattern);
   MaterialSamplers samplers;
   if constexpr (textured) prepare_samplers(material, slot_count, samplers);
-  const GBufferView& out = args.out;
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
+    prefetch_fragments(args, at);
     const FragmentLanes f = load_fragments(args, means, at);
     Vec3<Float> corners[3];
     fetch_positions(args.geometry, f, corners);
@@ -87,20 +115,39 @@ inline void resolve_run(const ResolveArgs& args) {
     if constexpr (textured) find_samples(material, samplers, slot_count, args.geometry, f, b, samples);
 
     resolve_position(args, b, corners, at);
-    resolve_normal<textured>(args, samplers, samples, f, b, corners, at);
-    Float color[4];
+    store_normal(args, resolve_normal<textured>(args, samplers, samples, f, b, corners), b, at);
+    Float color[4], glow[3];
     base_color<textured, channel_r | channel_g | channel_b | channel_a>(material, samplers, samples, args.geometry, f,
                                                                         b, color);
-    store_vector(out.base_color, at, non_negative(color[0]), non_negative(color[1]), non_negative(color[2]));
-    store(out.alpha + at, material.alpha_mode == AlphaMode::blend ? saturate(color[3]) : Float(1));
-    const SurfaceScalars s = surface_scalars<textured>(material, samplers, samples);
-    store(out.metallic + at, saturate(s.metallic));
-    store(out.roughness + at, saturate(s.roughness));
-    store(out.occlusion + at, saturate(s.occlusion));
-    Float glow[3];
     emissive<textured>(material, samplers, samples, glow);
-    store_vector(out.emissive, at, non_negative(glow[0]), non_negative(glow[1]), non_negative(glow[2]));
-    store(out.unlit + at, Float(material.unlit ? 1 : 0));
+    store_material(args, color, surface_scalars<textured>(material, samplers, samples), glow, at);
+  }
+}
+
+/// A run of fragments on SurfaceVertex.
+inline void resolve_surface_run(const ResolveArgs& args) {
+  const MaterialView& material = *args.material;
+  const SampleMeans means = sample_means(args.pattern);
+  for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
+    prefetch_fragments(args, at);
+    const FragmentLanes f = load_fragments(args, means, at);
+    SurfaceCorners v;
+    fetch_surfaces(args.geometry, f, v);
+    Vec3<Float> corners[3];
+    for (int i = 0; i < 3; ++i) corners[i] = {v.vertex[i][0], v.vertex[i][1], v.vertex[i][2]};
+    const Barycentrics<Float> b = barycentrics(args.view, corners, f.x, f.y);
+    resolve_position(args, b, corners, at);
+    const Vec3<Float> raw{interpolate(v, b, 3), interpolate(v, b, 4), interpolate(v, b, 5)};
+    store_normal(args, unit_normal(raw, corners), b, at);
+    Float color[4];
+    for (int c = 0; c < 3; ++c) color[c] = Float(material.base_color[c]) * interpolate(v, b, 6 + c);
+    color[3] = Float(material.base_color[3]);
+    const Float glow[3] = {Float(material.emissive[0]), Float(material.emissive[1]), Float(material.emissive[2])};
+    const Float open = interpolate(v, b, 11) - Float(1);
+    const SurfaceScalars scalars{Float(material.metallic) * interpolate(v, b, 9),
+                                 Float(material.roughness) * interpolate(v, b, 10),
+                                 mul_add(Float(material.occlusion_strength), open, Float(1))};
+    store_material(args, color, scalars, glow, at);
   }
 }
 

@@ -12,14 +12,9 @@ inline constexpr std::int32_t small_extent = 1 << 15;
 inline constexpr std::uint32_t max_gathered_vertices = 1u << 29;
 
 struct VectorTriangles {
-  Int index[3];  // word offsets of the three ProjectedVertex
   Int x[3], y[3];
   Float depth[3];
 };
-
-TESSERA_INLINE Int gather_words(const void* base, Int word) {
-  return gather(static_cast<const std::int32_t*>(base), word);
-}
 
 /// has_sample() for every lane.
 TESSERA_INLINE Mask has_sample(Int x_min, Int x_max, Int y_min, Int y_max, const SamplePattern& pattern, int width,
@@ -48,9 +43,9 @@ TESSERA_INLINE std::uint32_t double_sided_lanes(const std::uint8_t* double_sided
 
 /// Writes the set-up of the lanes of `kept`; lanes of `turned` are back faces.
 struct SetupLanes {
-  alignas(64) std::int32_t word[11][Int::lanes];  // the fields of SetupTriangle before `triangle`
+  SetupTriangle lane[Int::lanes];
 
-  TESSERA_INLINE void fill(const VectorTriangles& t, Mask turned, Int area) {
+  TESSERA_INLINE void fill(const VectorTriangles& t, Mask turned, Int area, Int triangle) {
     const Int bx = select(turned, t.x[2], t.x[1]), cx = select(turned, t.x[1], t.x[2]);
     const Int by = select(turned, t.y[2], t.y[1]), cy = select(turned, t.y[1], t.y[2]);
     const Float b_depth = select(turned, t.depth[2], t.depth[1]), c_depth = select(turned, t.depth[1], t.depth[2]);
@@ -58,28 +53,16 @@ struct SetupLanes {
     const DepthSlope<Float> slope =
         depth_slope(to_float(bx - t.x[0]), to_float(by - t.y[0]), b_depth - a_depth, to_float(cx - t.x[0]),
                     to_float(cy - t.y[0]), c_depth - a_depth, to_float(select(turned, -area, area)));
-    const Int fields[11] = {t.x[0],
-                            bx,
-                            cx,
-                            t.y[0],
-                            by,
-                            cy,
-                            bits(a_depth),
-                            bits(slope.dx),
-                            bits(slope.dy),
-                            bits(min(min(a_depth, b_depth), c_depth)),
-                            bits(max(max(a_depth, b_depth), c_depth))};
-    for (int f = 0; f < 11; ++f) store(word[f], fields[f]);
+    const Float low = min(min(a_depth, b_depth), c_depth), high = max(max(a_depth, b_depth), c_depth);
+    // Records of 12 words in three parts of four.
+    store_parts(0, {from_bits(t.x[0]), from_bits(bx), from_bits(cx), from_bits(t.y[0])});
+    store_parts(1, {from_bits(by), from_bits(cy), a_depth, slope.dx});
+    store_parts(2, {slope.dy, low, high, from_bits(triangle)});
   }
-  TESSERA_INLINE void write(int lane, std::uint32_t triangle, SetupTriangle* out) const {
-    *out = {{word[0][lane], word[1][lane], word[2][lane]},
-            {word[3][lane], word[4][lane], word[5][lane]},
-            from_bits(word[6][lane]),
-            from_bits(word[7][lane]),
-            from_bits(word[8][lane]),
-            from_bits(word[9][lane]),
-            from_bits(word[10][lane]),
-            triangle};
+
+ private:
+  TESSERA_INLINE void store_parts(int part, const Float (&words)[4]) {
+    scatter_quads(reinterpret_cast<float*>(lane) + 4 * part, 12, words);
   }
 };
 
@@ -88,12 +71,21 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
                                           std::uint32_t first, int count, SetupTriangle* out) {
   const Triangle* triangles = args.geometry.triangles + first;
   const Mask active = first_lanes(count);
-  const Int word = select(active, lane_index(), Int(0)) << 2;
+  Float record[4];
+  if (count == Int::lanes) {
+    load_quads(reinterpret_cast<const float*>(triangles), record);
+  } else {
+    gather_quads(reinterpret_cast<const float*>(triangles), select(active, lane_index(), Int(0)) << 2, record);
+  }
   VectorTriangles t;
   Int any_flag(0), all_flags(-1);
   for (int i = 0; i < 3; ++i) {
-    t.index[i] = gather_words(triangles, word + Int(i)) << 2;
-    const Int flags = gather_words(args.vertices, t.index[i] + Int(3));
+    Float vertex[4];
+    gather_quads(reinterpret_cast<const float*>(args.vertices), bits(record[i]) << 2, vertex);
+    t.x[i] = bits(vertex[0]);
+    t.y[i] = bits(vertex[1]);
+    t.depth[i] = vertex[2];
+    const Int flags = bits(vertex[3]);
     any_flag |= flags;
     all_flags &= flags;
   }
@@ -104,10 +96,6 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
   const Mask candidates = active & !rejected;
   if (none(candidates)) return 0;
 
-  for (int i = 0; i < 3; ++i) {
-    t.x[i] = gather_words(args.vertices, t.index[i]);
-    t.y[i] = gather_words(args.vertices, t.index[i] + Int(1));
-  }
   const Int x_min = min(min(t.x[0], t.x[1]), t.x[2]), x_max = max(max(t.x[0], t.x[1]), t.x[2]);
   const Int y_min = min(min(t.y[0], t.y[1]), t.y[2]), y_max = max(max(t.y[0], t.y[1]), t.y[2]);
   const Mask fits = (x_max - x_min < Int(small_extent)) & (y_max - y_min < Int(small_extent)) &
@@ -127,15 +115,12 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
   counters.kept += kept_count;
 
   SetupLanes lanes;
-  if (kept_lanes != 0) {
-    for (int i = 0; i < 3; ++i) t.depth[i] = from_bits(gather_words(args.vertices, t.index[i] + Int(2)));
-    lanes.fill(t, turned, area);
-  }
+  if (kept_lanes != 0) lanes.fill(t, turned, area, Int(first) + lane_index());
   std::uint32_t written = 0;
   for (std::uint32_t left = kept_lanes | to_bits(candidates & !fits); left != 0; left &= left - 1) {
     const int i = __builtin_ctz(left);
     if ((kept_lanes >> i & 1) != 0) {
-      lanes.write(i, first + std::uint32_t(i), out + written++);
+      out[written++] = lanes.lane[i];
     } else {
       written += setup_one(args, pattern, first + std::uint32_t(i), out + written);
     }

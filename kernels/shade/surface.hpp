@@ -42,8 +42,10 @@ TESSERA_INLINE Surface<Float> load_surface(const GBufferView& g, std::uint32_t i
 template <class F>
 struct ShadingPoint {
   Vec3<F> position, n, v;
-  F nv;   // n.v as it is; negative where a shading normal turns away from the eye
-  F NoV;  // in [1e-4,1]: keeps V = G/(4 NoL NoV) finite
+  Vec3<F> to_eye;  // v, of any length
+  F to_eye_n;      // n.to_eye: both are there before a root is taken
+  F nv;            // n.v as it is; negative where a shading normal turns away from the eye
+  F NoV;           // in [1e-4,1]: keeps V = G/(4 NoL NoV) finite
   Vec3<F> f0;
   Vec3<F> albedo;  // of the diffuse part
   F roughness, occlusion;
@@ -60,7 +62,9 @@ TESSERA_INLINE ShadingPoint<F> shading_point(const Surface<F>& s, const float ey
   p.position = s.position;
   p.n = s.normal;
   const Vec3<F> e = {F(eye[0]), F(eye[1]), F(eye[2])};
-  p.v = normalize(eye[3] == 0.0f ? e : e - s.position);
+  p.to_eye = eye[3] == 0.0f ? e : e - s.position;
+  p.to_eye_n = dot(p.n, p.to_eye);
+  p.v = normalize(p.to_eye);
   p.nv = dot(p.n, p.v);
   p.NoV = clamp(p.nv, F(1e-4), F(1));
   const F dielectric = F(1) - s.metallic;

@@ -107,6 +107,90 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m256i x, __m256 m) {
   return count;
 }
 
+// Records of four words, lane by lane -> one vector per word. a to d hold the records of lanes 4k to 4k + 3 in their
+// k-th half.
+TESSERA_INLINE void transpose_quads(__m256 a, __m256 b, __m256 c, __m256 d, __m256 (&out)[4]) {
+  const __m256 ab_low = _mm256_unpacklo_ps(a, b), ab_high = _mm256_unpackhi_ps(a, b);
+  const __m256 cd_low = _mm256_unpacklo_ps(c, d), cd_high = _mm256_unpackhi_ps(c, d);
+  out[0] = _mm256_shuffle_ps(ab_low, cd_low, 0x44);
+  out[1] = _mm256_shuffle_ps(ab_low, cd_low, 0xee);
+  out[2] = _mm256_shuffle_ps(ab_high, cd_high, 0x44);
+  out[3] = _mm256_shuffle_ps(ab_high, cd_high, 0xee);
+}
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, const Load& load, __m256* out) {
+  __m256 records[quads][4];
+  for (int i = 0; i < 4; ++i) {
+    const float *low = base + word[i], *high = base + word[i + 4];
+    for (int q = 0; q < quads; ++q)
+      records[q][i] = _mm256_insertf128_ps(_mm256_castps128_ps256(load(low + 4 * q)), load(high + 4 * q), 1);
+  }
+  for (int q = 0; q < quads; ++q) {
+    __m256 words_of_quad[4];
+    transpose_quads(records[q][0], records[q][1], records[q][2], records[q][3], words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, __m256i words, const Load& load, __m256* out) {
+  alignas(32) std::int32_t word[8];
+  _mm256_store_si256(reinterpret_cast<__m256i*>(word), words);
+  asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
+  gather_records<quads>(base, static_cast<const std::int32_t*>(word), load, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m256* out) {
+  gather_records<quads>(
+      base, word, [](const float* p) { return _mm_loadu_ps(p); }, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256* out) {
+  gather_records<quads>(
+      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+}
+TESSERA_INLINE void gather_triples(const float* base, __m256i words, __m256* out) {
+  const __m128i three = _mm_setr_epi32(-1, -1, -1, 0);
+  gather_records<1>(
+      base, words, [=](const float* p) { return _mm_maskload_ps(p, three); }, out);
+}
+TESSERA_INLINE void load_quads(const float* p, __m256 (&out)[4]) {
+  transpose_quads(_mm256_loadu_ps(p), _mm256_loadu_ps(p + 8), _mm256_loadu_ps(p + 16), _mm256_loadu_ps(p + 24), out);
+  const __m256i lane = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
+  for (__m256& x : out) x = _mm256_permutevar8x32_ps(x, lane);
+}
+TESSERA_INLINE void store_quads(float* p, const __m256 (&in)[4]) {
+  const __m256i lane = _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7);
+  __m256 mixed[4], record[4];
+  for (int i = 0; i < 4; ++i) mixed[i] = _mm256_permutevar8x32_ps(in[i], lane);
+  // Words and lanes change places: the k-th half of record[j] is lane 2j + k.
+  transpose_quads(mixed[0], mixed[1], mixed[2], mixed[3], record);
+  for (int i = 0; i < 4; ++i) _mm256_storeu_ps(p + 8 * i, record[i]);
+}
+// Past the caches; p on a multiple of 64 bytes.
+TESSERA_INLINE void stream_quads(float* p, const __m256 (&in)[4]) {
+  const __m256i lane = _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7);
+  __m256 mixed[4], record[4];
+  for (int i = 0; i < 4; ++i) mixed[i] = _mm256_permutevar8x32_ps(in[i], lane);
+  // Words and lanes change places: the k-th half of record[j] is lane 2j + k.
+  transpose_quads(mixed[0], mixed[1], mixed[2], mixed[3], record);
+  for (int i = 0; i < 4; ++i) _mm256_stream_ps(p + 8 * i, record[i]);
+}
+TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m256 (&in)[4]) {
+  __m256 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) {
+    _mm_storeu_ps(p + stride * i, _mm256_castps256_ps128(record[i]));
+    _mm_storeu_ps(p + stride * (4 + i), _mm256_extractf128_ps(record[i], 1));
+  }
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, __m256i& low, __m256i& high) {
+  const __m256 a = _mm256_loadu_ps(reinterpret_cast<const float*>(p));
+  const __m256 b = _mm256_loadu_ps(reinterpret_cast<const float*>(p + 8));
+  low = _mm256_permute4x64_epi64(_mm256_castps_si256(_mm256_shuffle_ps(a, b, 0x88)), 0xd8);
+  high = _mm256_permute4x64_epi64(_mm256_castps_si256(_mm256_shuffle_ps(a, b, 0xdd)), 0xd8);
+}
+
 }  // namespace native
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

@@ -87,6 +87,95 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m512i x, __mmask16 m) {
   return count;
 }
 
+// Records of four words, lane by lane -> one vector per word. a to d hold the records of lanes 4k to 4k + 3 in their
+// k-th quarter.
+TESSERA_INLINE void transpose_quads(__m512 a, __m512 b, __m512 c, __m512 d, __m512 (&out)[4]) {
+  const __m512 ab_low = _mm512_maskz_unpacklo_ps(0xffff, a, b), ab_high = _mm512_maskz_unpackhi_ps(0xffff, a, b);
+  const __m512 cd_low = _mm512_maskz_unpacklo_ps(0xffff, c, d), cd_high = _mm512_maskz_unpackhi_ps(0xffff, c, d);
+  out[0] = _mm512_maskz_shuffle_ps(0xffff, ab_low, cd_low, 0x44);
+  out[1] = _mm512_maskz_shuffle_ps(0xffff, ab_low, cd_low, 0xee);
+  out[2] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0x44);
+  out[3] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0xee);
+}
+template <class Load>
+TESSERA_INLINE __m512 four_records(const float* const (&p)[4], int word, const Load& load) {
+  const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[0] + word)), load(p[1] + word), 1);
+  const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[2] + word)), load(p[3] + word), 1);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, const Load& load, __m512* out) {
+  __m512 records[quads][4];
+  for (int i = 0; i < 4; ++i) {
+    const float* const p[4] = {base + word[i], base + word[i + 4], base + word[i + 8], base + word[i + 12]};
+    for (int q = 0; q < quads; ++q) records[q][i] = four_records(p, 4 * q, load);
+  }
+  for (int q = 0; q < quads; ++q) {
+    __m512 words_of_quad[4];
+    transpose_quads(records[q][0], records[q][1], records[q][2], records[q][3], words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads, class Load>
+TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load& load, __m512* out) {
+  alignas(64) std::int32_t word[16];
+  _mm512_store_si512(word, words);
+  asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
+  gather_records<quads>(base, static_cast<const std::int32_t*>(word), load, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m512* out) {
+  gather_records<quads>(
+      base, word, [](const float* p) { return _mm_loadu_ps(p); }, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {
+  gather_records<quads>(
+      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+}
+TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512* out) {
+  gather_records<1>(
+      base, words, [](const float* p) { return _mm_maskz_loadu_ps(7, p); }, out);
+}
+// Lane 4a + b <-> lane 4b + a.
+TESSERA_INLINE __m512 swap_quarters(__m512 x) {
+  const __m512i lane = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+  return _mm512_maskz_permutexvar_ps(0xffff, lane, x);
+}
+TESSERA_INLINE void load_quads(const float* p, __m512 (&out)[4]) {
+  transpose_quads(_mm512_loadu_ps(p), _mm512_loadu_ps(p + 16), _mm512_loadu_ps(p + 32), _mm512_loadu_ps(p + 48), out);
+  for (__m512& x : out) x = swap_quarters(x);
+}
+TESSERA_INLINE void store_quads(float* p, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
+  for (int i = 0; i < 4; ++i) _mm512_storeu_ps(p + 16 * i, record[i]);
+}
+// Past the caches; p on a multiple of 64 bytes.
+TESSERA_INLINE void stream_quads(float* p, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
+  for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + 16 * i, record[i]);
+}
+TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m512 (&in)[4]) {
+  __m512 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) {
+    const __m512 r = record[i];
+    _mm_storeu_ps(p + stride * i, __builtin_shufflevector(r, r, 0, 1, 2, 3));
+    _mm_storeu_ps(p + stride * (4 + i), __builtin_shufflevector(r, r, 4, 5, 6, 7));
+    _mm_storeu_ps(p + stride * (8 + i), __builtin_shufflevector(r, r, 8, 9, 10, 11));
+    _mm_storeu_ps(p + stride * (12 + i), __builtin_shufflevector(r, r, 12, 13, 14, 15));
+  }
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, __m512i& low, __m512i& high) {
+  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  const __m512i a = _mm512_loadu_si512(p), b = _mm512_loadu_si512(p + 16);
+  low = _mm512_permutex2var_epi32(a, even, b);
+  high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
+}
+
 }  // namespace native
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

@@ -104,6 +104,60 @@ TESSERA_INLINE int compress_store(std::int32_t* p, int32x4_t x, uint32x4_t m) {
   return count;
 }
 
+// Records of four words, lane by lane -> one vector per word.
+TESSERA_INLINE void transpose_quads(float32x4_t a, float32x4_t b, float32x4_t c, float32x4_t d, float32x4_t (&out)[4]) {
+  // a0 c0 a1 c1 and b0 d0 b1 d1, zipped once more.
+  const float32x4_t ac_low = vzip1q_f32(a, c), ac_high = vzip2q_f32(a, c);
+  const float32x4_t bd_low = vzip1q_f32(b, d), bd_high = vzip2q_f32(b, d);
+  out[0] = vzip1q_f32(ac_low, bd_low);
+  out[1] = vzip2q_f32(ac_low, bd_low);
+  out[2] = vzip1q_f32(ac_high, bd_high);
+  out[3] = vzip2q_f32(ac_high, bd_high);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t* out) {
+  for (int q = 0; q < quads; ++q) {
+    const float* from = base + 4 * q;
+    float32x4_t words_of_quad[4];
+    transpose_quads(vld1q_f32(from + words[0]), vld1q_f32(from + words[1]), vld1q_f32(from + words[2]),
+                    vld1q_f32(from + words[3]), words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, float32x4_t* out) {
+  gather_quads<quads>(base, vld1q_s32(word), out);
+}
+TESSERA_INLINE float32x4_t load_triple(const float* p) {
+  return vcombine_f32(vld1_f32(p), vld1_lane_f32(p + 2, vdup_n_f32(0), 0));
+}
+TESSERA_INLINE void gather_triples(const float* base, int32x4_t words, float32x4_t* out) {
+  float32x4_t triple[4];
+  transpose_quads(load_triple(base + words[0]), load_triple(base + words[1]), load_triple(base + words[2]),
+                  load_triple(base + words[3]), triple);
+  for (int i = 0; i < 3; ++i) out[i] = triple[i];
+}
+TESSERA_INLINE void load_quads(const float* p, float32x4_t (&out)[4]) {
+  const float32x4x4_t records = vld4q_f32(p);
+  for (int i = 0; i < 4; ++i) out[i] = records.val[i];
+}
+TESSERA_INLINE void store_quads(float* p, const float32x4_t (&in)[4]) {
+  const float32x4x4_t records = {{in[0], in[1], in[2], in[3]}};
+  vst4q_f32(p, records);
+}
+TESSERA_INLINE void stream_quads(float* p, const float32x4_t (&in)[4]) { store_quads(p, in); }
+TESSERA_INLINE void end_streaming() {}
+TESSERA_INLINE void scatter_quads(float* p, int stride, const float32x4_t (&in)[4]) {
+  float32x4_t record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) vst1q_f32(p + stride * i, record[i]);
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, int32x4_t& low, int32x4_t& high) {
+  const int32x4x2_t pairs = vld2q_s32(p);
+  low = pairs.val[0];
+  high = pairs.val[1];
+}
+
 }  // namespace native
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

@@ -182,6 +182,68 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m128i x, __m128 m) {
   return count;
 }
 
+// Records of four words, lane by lane -> one vector per word.
+TESSERA_INLINE void transpose_quads(__m128 a, __m128 b, __m128 c, __m128 d, __m128 (&out)[4]) {
+  const __m128 ab_low = _mm_unpacklo_ps(a, b), ab_high = _mm_unpackhi_ps(a, b);
+  const __m128 cd_low = _mm_unpacklo_ps(c, d), cd_high = _mm_unpackhi_ps(c, d);
+  out[0] = _mm_movelh_ps(ab_low, cd_low);
+  out[1] = _mm_movehl_ps(cd_low, ab_low);
+  out[2] = _mm_movelh_ps(ab_high, cd_high);
+  out[3] = _mm_movehl_ps(cd_high, ab_high);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, __m128i words, __m128* out) {
+  const float* const p[4] = {base + _mm_extract_epi32(words, 0), base + _mm_extract_epi32(words, 1),
+                             base + _mm_extract_epi32(words, 2), base + _mm_extract_epi32(words, 3)};
+  for (int q = 0; q < quads; ++q) {
+    __m128 words_of_quad[4];
+    transpose_quads(_mm_loadu_ps(p[0] + 4 * q), _mm_loadu_ps(p[1] + 4 * q), _mm_loadu_ps(p[2] + 4 * q),
+                    _mm_loadu_ps(p[3] + 4 * q), words_of_quad);
+    for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
+  }
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m128* out) {
+  gather_quads<quads>(base, _mm_loadu_si128(reinterpret_cast<const __m128i*>(word)), out);
+}
+TESSERA_INLINE __m128 load_triple(const float* p) {
+  const __m128i pair = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+  return _mm_movelh_ps(_mm_castsi128_ps(pair), _mm_load_ss(p + 2));
+}
+TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out) {
+  __m128 triple[4];
+  transpose_quads(load_triple(base + _mm_extract_epi32(words, 0)), load_triple(base + _mm_extract_epi32(words, 1)),
+                  load_triple(base + _mm_extract_epi32(words, 2)), load_triple(base + _mm_extract_epi32(words, 3)),
+                  triple);
+  for (int i = 0; i < 3; ++i) out[i] = triple[i];
+}
+TESSERA_INLINE void load_quads(const float* p, __m128 (&out)[4]) {
+  transpose_quads(_mm_loadu_ps(p), _mm_loadu_ps(p + 4), _mm_loadu_ps(p + 8), _mm_loadu_ps(p + 12), out);
+}
+TESSERA_INLINE void store_quads(float* p, const __m128 (&in)[4]) {
+  __m128 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) _mm_storeu_ps(p + 4 * i, record[i]);
+}
+// Past the caches; p on a multiple of 64 bytes.
+TESSERA_INLINE void stream_quads(float* p, const __m128 (&in)[4]) {
+  __m128 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) _mm_stream_ps(p + 4 * i, record[i]);
+}
+TESSERA_INLINE void end_streaming() { _mm_sfence(); }
+TESSERA_INLINE void scatter_quads(float* p, int stride, const __m128 (&in)[4]) {
+  __m128 record[4];
+  transpose_quads(in[0], in[1], in[2], in[3], record);
+  for (int i = 0; i < 4; ++i) _mm_storeu_ps(p + stride * i, record[i]);
+}
+TESSERA_INLINE void load_pairs(const std::int32_t* p, __m128i& low, __m128i& high) {
+  const __m128 a = _mm_loadu_ps(reinterpret_cast<const float*>(p));
+  const __m128 b = _mm_loadu_ps(reinterpret_cast<const float*>(p + 4));
+  low = _mm_castps_si128(_mm_shuffle_ps(a, b, 0x88));
+  high = _mm_castps_si128(_mm_shuffle_ps(a, b, 0xdd));
+}
+
 }  // namespace native
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

@@ -128,6 +128,10 @@ TESSERA_INLINE void store_half(std::uint16_t* p, Float x) { native::store_half(p
 TESSERA_INLINE void store_masked(float* p, Float x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
 TESSERA_INLINE void store_masked(std::int32_t* p, Int x, Mask m) { native::store_masked(p, x.raw(), m.raw()); }
 
+// Asks for the cache line at p, into the second-level cache: there it does not push out what is in use. p may be any
+// address.
+TESSERA_INLINE void prefetch(const float* p) { __builtin_prefetch(p, 0, 2); }
+
 // Writes the lanes in the mask one after another, nothing beyond them, and says how many.
 TESSERA_INLINE int compress_store(std::int32_t* out, Int x, Mask m) {
   return native::compress_store(out, x.raw(), m.raw());
@@ -159,6 +163,55 @@ struct IntPair {
 TESSERA_INLINE IntPair gather_pairs(const void* base, Int byte_offset) {
   native::IntRegister low, high;
   native::gather_pairs(base, byte_offset.raw(), low, high);
+  return {make_int(low), make_int(high)};
+}
+
+// Records, one per lane -> one vector per word. A lane's record starts at base[word], word signed, and has as many
+// floats as `out` (a multiple of four), or three. Wide loads and shuffles cost a third of what gathers do.
+template <int words>
+TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[words]) {
+  static_assert(words % 4 == 0);
+  native::FloatRegister r[words];
+  native::gather_quads<words / 4>(base, word.raw(), r);
+  for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
+}
+// The same with the lanes' words in memory.
+template <int words>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, Float (&out)[words]) {
+  static_assert(words % 4 == 0);
+  native::FloatRegister r[words];
+  native::gather_quads<words / 4>(base, word, r);
+  for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
+}
+TESSERA_INLINE void gather_triples(const float* base, Int word, Float (&out)[3]) {
+  native::FloatRegister r[4];
+  native::gather_triples(base, word.raw(), r);
+  for (int i = 0; i < 3; ++i) out[i] = make_float(r[i]);
+}
+// Of consecutive records.
+TESSERA_INLINE void load_quads(const float* p, Float (&out)[4]) {
+  native::FloatRegister r[4];
+  native::load_quads(p, r);
+  for (int i = 0; i < 4; ++i) out[i] = make_float(r[i]);
+}
+TESSERA_INLINE void store_quads(float* p, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::store_quads(p, r);
+}
+// Lane i's record to p + stride * i.
+TESSERA_INLINE void scatter_quads(float* p, int stride, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::scatter_quads(p, stride, r);
+}
+// Past the caches, where the machine can; p on a multiple of 64 bytes. end_streaming() before another thread reads.
+TESSERA_INLINE void stream_quads(float* p, const Float (&in)[4]) {
+  const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
+  native::stream_quads(p, r);
+}
+TESSERA_INLINE void end_streaming() { native::end_streaming(); }
+TESSERA_INLINE IntPair load_pairs(const void* p) {
+  native::IntRegister low, high;
+  native::load_pairs(static_cast<const std::int32_t*>(p), low, high);
   return {make_int(low), make_int(high)};
 }
 

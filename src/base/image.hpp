@@ -18,4 +18,14 @@ struct Image {
   [[nodiscard]] const float* at(int x, int y) const { return pixels.data() + (std::size_t(y) * width + x) * channels; }
 };
 
+/// Someone's memory as a picture of interleaved RGBA floats, rows one after another.
+struct FilmView {
+  float* rgba;
+  int width, height;
+
+  [[nodiscard]] float* at(int x, int y) const {
+    return rgba + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
+  }
+};
+
 }  // namespace tessera

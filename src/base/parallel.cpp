@@ -29,23 +29,23 @@ class DefaultFloatEnvironment {
 
 }  // namespace
 
-void run_with_threads(int threads, const std::function<void()>& work) {
+void parallel_detail::run_with_threads(int threads, void (*work)(const void*), const void* context) {
   const int count = threads > 0 ? threads : tbb::info::default_concurrency();
   // More threads than cores only happen when asked for (tests of determinism): the global limit must allow them.
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
   tbb::task_arena arena(count);
   arena.execute([&] {
     const DefaultFloatEnvironment environment;
-    work();
+    work(context);
   });
 }
 
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+void parallel_detail::loop(std::size_t count, void (*body)(const void*, std::size_t), const void* context) {
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, count, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
         const DefaultFloatEnvironment environment;
-        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+        for (std::size_t i = range.begin(); i != range.end(); ++i) body(context, i);
       },
       tbb::simple_partitioner());
 }

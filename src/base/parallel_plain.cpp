@@ -23,11 +23,11 @@ int cores() {
 
 }  // namespace
 
-void run_with_threads(int threads, const std::function<void()>& work) {
+void parallel_detail::run_with_threads(int threads, void (*work)(const void*), const void* context) {
   const int before = arena_threads;
   arena_threads = threads > 0 ? threads : cores();
   try {
-    work();
+    work(context);
   } catch (...) {
     arena_threads = before;
     throw;
@@ -35,9 +35,9 @@ void run_with_threads(int threads, const std::function<void()>& work) {
   arena_threads = before;
 }
 
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+void parallel_detail::loop(std::size_t count, void (*body)(const void*, std::size_t), const void* context) {
   if (inside_loop) {  // a loop within a loop stays on its thread
-    for (std::size_t i = 0; i < count; ++i) body(i);
+    for (std::size_t i = 0; i < count; ++i) body(context, i);
     return;
   }
   const int threads = thread_count();
@@ -49,7 +49,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     arena_index = index;
     inside_loop = true;
     try {
-      for (std::size_t i = next++; i < count; i = next++) body(i);
+      for (std::size_t i = next++; i < count; i = next++) body(context, i);
     } catch (...) {
       const std::lock_guard lock(failure_lock);
       if (!failure) failure = std::current_exception();

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "cli/parse.hpp"
-#include "cli/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "io/image_file.hpp"
 
 namespace tessera::cli {

@@ -4,14 +4,15 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/camera.hpp"
 #include "cli/commands.hpp"
 #include "cli/lighting.hpp"
 #include "cli/machine.hpp"
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
+#include "cli/profile.hpp"
 #include "cli/report.hpp"
-#include "cli/stopwatch.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/gbuffer_file.hpp"
@@ -74,14 +75,15 @@ void warn_about(const GltfReport& report) {
 
 void run_render(const Options& options) {
   const Stopwatch total;
-  RunReport run{.command = "render", .scene = options.scene, .output = options.picture.output};
+  RunReport run;
+  run.command = "render";
+  run.scene = options.scene;
+  run.output = options.picture.output;
   validate(options.machine);
   const Kernels& kernels = select_kernels(options.machine.isa);
   const PicturePlan picture = plan_picture(options.picture, kernels);
   const LayerPlan layers = plan_layers(options.aovs, picture);
-  if (!options.machine.statistics.empty()) check_writable(options.machine.statistics);
-  if (picture.path == "-" && options.machine.statistics == "-")
-    throw usage_error("-o and --stats cannot both be standard output");
+  check_machine_outputs(options.machine, picture.path);
   RenderSettings settings;
   const std::array<int, 2> size = parse_size(options.size);
   settings.width = size[0];
@@ -89,6 +91,7 @@ void run_render(const Options& options) {
   settings.samples = options.samples;
   settings.threads = options.machine.threads;
   settings.environment_shading = parse_environment_shading(options.lighting);
+  settings.trace = !options.machine.trace.empty();
   set_background(options.picture, false, kernels, settings);
   validate(settings);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
@@ -102,6 +105,7 @@ void run_render(const Options& options) {
   Scene scene;
   with_threads([&] { scene = load_gltf(options.scene, &report); });
   run.load_ms = watch.ms();
+  run.end_phase("read");
   run.scene_triangles = scene.triangles.size();
   // What the file brings travels with a G-buffer; what the command line adds, it adds to `shade` again.
   const std::vector<Light> file_lights = scene.lights;
@@ -116,6 +120,7 @@ void run_render(const Options& options) {
   with_threads([&] { environment = make_environment(options.lighting, !scene.lights.empty(), kernels); });
   run.environment_ms = watch.ms();
   scene.lights.insert(scene.lights.end(), environment.lights.begin(), environment.lights.end());
+  run.end_phase("environment");
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("preparing the scene");
@@ -123,11 +128,13 @@ void run_render(const Options& options) {
   {
     std::unique_ptr<Renderer> renderer;
     with_threads([&] { renderer = std::make_unique<Renderer>(scene, environment.environment.get(), kernels); });
+    run.end_phase("prepare");
     progress.begin("rendering");
     settings.progress = [&](std::size_t done, std::size_t all) { progress.set_fraction(done, all); };
     renderer->render(view, settings, layers.request, frame);
   }
   run.frame = frame.statistics;
+  run.end_phase("render");
 
   progress.begin("writing " + printable(picture.path));
   with_threads([&] { write_picture(picture, frame, settings.background, kernels, run.encode_ms, run.write_ms); });
@@ -135,6 +142,7 @@ void run_render(const Options& options) {
   if (!layers.layers_path.empty()) write_layers(layers.layers_path, frame);
   if (!layers.gbuffer_path.empty()) write_gbuffer(layers.gbuffer_path, frame.gbuffer, view, file_lights);
   run.write_ms += watch.ms();
+  run.end_phase("write");
   progress.finish();
 
   run.width = settings.width;
@@ -150,7 +158,7 @@ void run_render(const Options& options) {
     if (!layers.gbuffer_path.empty()) note("G-buffer: " + layers.gbuffer_path);
     tell(run);
   }
-  if (!options.machine.statistics.empty()) write_statistics(options.machine.statistics, run);
+  report_to(options.machine, run);
 }
 
 std::string footer() {

@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Stage {
+struct RunStage {
   const char *key, *words;
   double ms;
 };
 
-std::array<Stage, 7> stages_of(const RunReport& r) {
+std::array<RunStage, 7> stages_of(const RunReport& r) {
   return {{{"load", "read the input", r.load_ms},
            {"environment", "prefilter the environment", r.environment_ms},
            {"prepare", "tables and textures", r.frame.prepare_ms},
@@ -41,7 +41,7 @@ void tell(const RunReport& r) {
                                  r.height, r.samples, r.frame.isa, r.frame.threads, r.frame.threads == 1 ? "" : "s");
   if (r.scene_triangles != 0) text += fmt::format(", {} triangles", grouped(r.scene_triangles));
   text += "\n";
-  for (const Stage& stage : stages_of(r)) text += fmt::format("  {:<28}{:>10.1f} ms\n", stage.words, stage.ms);
+  for (const RunStage& stage : stages_of(r)) text += fmt::format("  {:<28}{:>10.1f} ms\n", stage.words, stage.ms);
   text += fmt::format("  {:<28}{:>10.1f} ms\n", "in all", r.total_ms);
   std::fputs(text.c_str(), stderr);
 }
@@ -59,10 +59,11 @@ void write_statistics(const std::string& path, const RunReport& r) {
   j["isa"] = f.isa;
   j["threads"] = f.threads;
   j["pixel_hash"] = fmt::format("{:016x}", f.pixel_hash);  // of the linear picture, whatever the file's format
-  for (const Stage& stage : stages_of(r)) j["stages_ms"][stage.key] = stage.ms;
+  for (const RunStage& stage : stages_of(r)) j["stages_ms"][stage.key] = stage.ms;
   j["stages_ms"]["total"] = r.total_ms;
-  for (std::size_t k = 0; k < tile_stage_names.size(); ++k)
-    j["tile_stages_thread_ms"][tile_stage_names[k]] = f.tile_stage_ms[k];
+  for (std::size_t k = 0; k < stage_names.size(); ++k)
+    j[int(k) < first_tile_stage ? "geometry_stages_thread_ms" : "tile_stages_thread_ms"][stage_names[k]] =
+        f.stage_ms[k];
   j["triangles"] = {{"in", f.geometry.in},       {"outside", f.geometry.outside}, {"back_face", f.geometry.back_face},
                     {"empty", f.geometry.empty}, {"clipped", f.geometry.clipped}, {"kept", f.geometry.kept},
                     {"binned", f.binned}};

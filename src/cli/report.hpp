@@ -9,6 +9,12 @@
 
 namespace tessera::cli {
 
+/// A part of the run, in ticks().
+struct RunPhase {
+  const char* name;
+  std::uint64_t begin, end;
+};
+
 struct RunReport {
   std::string command, scene, output;
   int width = 0, height = 0, samples = 0;
@@ -16,6 +22,17 @@ struct RunReport {
   // Stages of the whole run in order, wall-clock milliseconds.
   double load_ms = 0, environment_ms = 0, encode_ms = 0, write_ms = 0, total_ms = 0;
   FrameStatistics frame{};
+  std::vector<RunPhase> phases;
+
+  /// Ends the phase that began where the last one ended.
+  void end_phase(const char* name) {
+    const std::uint64_t now = ticks();
+    phases.push_back({name, phase_begin_, now});
+    phase_begin_ = now;
+  }
+
+ private:
+  std::uint64_t phase_begin_ = ticks();
 };
 
 /// A short table on standard error.

@@ -2,13 +2,14 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/camera.hpp"
 #include "cli/commands.hpp"
 #include "cli/lighting.hpp"
 #include "cli/machine.hpp"
 #include "cli/picture.hpp"
+#include "cli/profile.hpp"
 #include "cli/report.hpp"
-#include "cli/stopwatch.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/gbuffer_file.hpp"
@@ -44,17 +45,19 @@ View choose_view(const Options& options, const GBufferFile& file, const Kernels&
 
 void run_shade(const Options& options) {
   const Stopwatch total;
-  RunReport run{.command = "shade", .scene = options.gbuffer, .output = options.picture.output};
+  RunReport run;
+  run.command = "shade";
+  run.scene = options.gbuffer;
+  run.output = options.picture.output;
   validate(options.machine);
   const Kernels& kernels = select_kernels(options.machine.isa);
   const PicturePlan picture = plan_picture(options.picture, kernels);
-  if (!options.machine.statistics.empty()) check_writable(options.machine.statistics);
-  if (picture.path == "-" && options.machine.statistics == "-")
-    throw usage_error("-o and --stats cannot both be standard output");
+  check_machine_outputs(options.machine, picture.path);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
   RenderSettings settings;
   settings.threads = options.machine.threads;
   settings.environment_shading = parse_environment_shading(options.lighting);
+  settings.trace = !options.machine.trace.empty();
   set_background(options.picture, false, kernels, settings);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -64,6 +67,7 @@ void run_shade(const Options& options) {
   GBufferFile file;
   with_threads([&] { file = read_gbuffer(options.gbuffer); });
   run.load_ms = watch.ms();
+  run.end_phase("read");
   settings.width = file.image.width;
   settings.height = file.image.height;
   settings.samples = file.image.samples;
@@ -79,6 +83,7 @@ void run_shade(const Options& options) {
   with_threads([&] { environment = make_environment(options.lighting, !lights.empty(), kernels); });
   run.environment_ms = watch.ms();
   lights.insert(lights.end(), environment.lights.begin(), environment.lights.end());
+  run.end_phase("environment");
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("shading");
@@ -86,10 +91,12 @@ void run_shade(const Options& options) {
   Frame frame;
   shade_gbuffer(file.image, view, lights, environment.environment.get(), settings, kernels, frame);
   run.frame = frame.statistics;
+  run.end_phase("shade");
 
   progress.begin("writing " + printable(picture.path));
   with_threads([&] { write_picture(picture, frame, settings.background, kernels, run.encode_ms, run.write_ms); });
   progress.finish();
+  run.end_phase("write");
   run.width = settings.width;
   run.height = settings.height;
   run.samples = settings.samples;
@@ -99,7 +106,7 @@ void run_shade(const Options& options) {
     if (environment.neutral) note("no --env and no lights: lit by a neutral studio");
     tell(run);
   }
-  if (!options.machine.statistics.empty()) write_statistics(options.machine.statistics, run);
+  report_to(options.machine, run);
 }
 
 // One line per channel, made from the table that reads them.

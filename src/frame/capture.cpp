@@ -105,7 +105,7 @@ void capture_aovs(std::vector<AovLayer>& layers, const TileFragments& tile, cons
       if (std::popcount(tile.fragments[end].samples) > std::popcount(tile.fragments[best].samples)) best = end;
     }
     i = end;
-    const std::uint32_t slot = tile.slots[best];
+    const std::uint32_t slot = tile.slot(best);
     const std::uint32_t triangle = tile.fragments[best].triangle;
     const std::size_t at = std::size_t(rect.y + pixel / tile_size) * picture_width + rect.x + pixel % tile_size;
     for (AovLayer& layer : layers) {
@@ -137,13 +137,13 @@ GBufferCapture::GBufferCapture(int width, int height, int samples)
 void GBufferCapture::add(const TileFragments& tile, const TileRect& rect) {
   Piece& piece = pieces_[std::size_t(rect.y / tile_size) * tiles_x_ + rect.x / tile_size];
   piece.rect = rect;
-  piece.fragments = tile.fragments;
+  piece.fragments.assign(tile.fragments.begin(), tile.fragments.end());
   const std::size_t count = tile.fragments.size();
   piece.planes.resize(count * gbuffer_planes);
   GBufferView view = tile.gbuffer();
   for (int k = 0; k < gbuffer_planes; ++k) {
     const float* plane = gbuffer_pointer(view, k);
-    for (std::size_t i = 0; i < count; ++i) piece.planes[k * count + i] = plane[tile.slots[i]];
+    for (std::size_t i = 0; i < count; ++i) piece.planes[k * count + i] = plane[tile.slot(i)];
   }
 }
 
@@ -176,8 +176,7 @@ void GBufferCapture::finish(GBufferImage& out) {
 
 void load_tile(const GBufferImage& gbuffer, const std::vector<std::size_t>& first, const TileRect& rect,
                TileFragments& out) {
-  out.fragments.clear();
-  out.slots.clear();
+  out.clear();
   std::uint32_t total = 0;
   for (int y = 0; y < rect.height; ++y)
     for (int x = 0; x < rect.width; ++x) total += gbuffer.counts[std::size_t(rect.y + y) * gbuffer.width + rect.x + x];

@@ -24,7 +24,7 @@ void composite_pixel(const TileFragments& tile, std::size_t begin, std::size_t e
   std::fill_n(transmittance, samples, 1.0f);
   const float per_sample = 1.0f / static_cast<float>(samples);
   for (std::size_t i = begin; i < end; ++i) {
-    const std::uint32_t slot = tile.slots[i];
+    const std::uint32_t slot = tile.slot(i);
     const float a = alpha[slot];
     float visible = 0;
     for (std::uint32_t bits = tile.fragments[i].samples; bits != 0; bits &= bits - 1) {
@@ -54,7 +54,7 @@ void composite_surfaces(const TileFragments& tile, int samples, CompositeScratch
   for (std::size_t i = 0; i < count;) {
     const std::uint16_t pixel = tile.fragments[i].pixel;
     float* rgba = scratch.rgba.data() + std::size_t{4} * pixel;
-    const std::uint32_t slot = tile.slots[i];
+    const std::uint32_t slot = tile.slot(i);
     if (tile.fragments[i].samples == whole && alpha[slot] == 1) {  // nothing behind it shows
       for (int k = 0; k < 3; ++k) rgba[k] = radiance[k][slot];
       rgba[3] = 1;
@@ -68,6 +68,24 @@ void composite_surfaces(const TileFragments& tile, int samples, CompositeScratch
     composite_pixel(tile, i, end, samples, alpha, radiance, rgba, scratch.remaining[pixel]);
     i = end;
   }
+}
+
+void background_alone(const BackgroundSource& background, const View& view, const Kernels& kernels,
+                      CompositeScratch& scratch, const TileFilm& film) {
+  if (background.kind == Background::environment) {
+    std::memset(scratch.rgba.data(), 0, scratch.rgba.size() * sizeof(float));
+    std::fill(scratch.remaining.begin(), scratch.remaining.end(), 1.0f);
+    composite_background(background, view, kernels, scratch, film);
+    return;
+  }
+  const float one = background.kind == Background::color ? 1.0f : 0.0f;
+  // 0 + makes -0 positive, as compositing does.
+  const float pixel[4] = {0.0f + one * background.color[0], 0.0f + one * background.color[1],
+                          0.0f + one * background.color[2], one};
+  for (int y = 0; y < film.height; ++y)
+    for (int x = 0; x < film.width; ++x)
+      std::memcpy(film.rgba + static_cast<std::size_t>(y) * film.row_stride + std::size_t{4} * static_cast<std::size_t>(x),
+                  pixel, sizeof(pixel));
 }
 
 void composite_background(const BackgroundSource& background, const View& view, const Kernels& kernels,

@@ -32,6 +32,10 @@ struct CompositeScratch {
 /// scratch.remaining (0 .. 1).
 void composite_surfaces(const TileFragments& fragments, int samples, CompositeScratch& scratch);
 
+/// A tile without fragments: nothing but background.
+void background_alone(const BackgroundSource& background, const View& view, const Kernels& kernels,
+                      CompositeScratch& scratch, const TileFilm& film);
+
 /// Fills in the background where something remains, and writes the tile to the film.
 void composite_background(const BackgroundSource& background, const View& view, const Kernels& kernels,
                           CompositeScratch& scratch, const TileFilm& film);

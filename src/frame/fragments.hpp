@@ -13,9 +13,18 @@ namespace tessera {
 class TileFragments {
  public:
   /// Sorted for compositing: pixels ascending; in a pixel front to back, or, where none is transparent, by triangle.
-  std::vector<Fragment> fragments;
-  /// slots[i]: where fragments[i] lies in the planes.
-  std::vector<std::uint32_t> slots;
+  ScratchVector<Fragment> fragments;
+  /// slots[i]: where fragments[i] lies in the planes; not looked at if in_order.
+  ScratchVector<std::uint32_t> slots;
+  bool in_order = false;  // fragments[i] lies in slot i
+  bool whole = false;     // in order, one fragment for every pixel of the tile, opaque, that covers all samples
+
+  [[nodiscard]] std::uint32_t slot(std::size_t i) const { return in_order ? static_cast<std::uint32_t>(i) : slots[i]; }
+  void clear() {
+    fragments.clear();
+    slots.clear();
+    in_order = whole = false;
+  }
 
   /// Room for `count` slots in every plane; keeps no content when it grows.
   void reserve_planes(std::uint32_t count);

@@ -39,4 +39,21 @@ std::vector<LightView> compile_lights(const std::vector<Light>& lights, const Ke
   return views;
 }
 
+LightBounds::LightBounds(const std::vector<LightView>& lights)
+    : stride_((lights.size() + max_lanes - 1) / max_lanes * max_lanes),
+      count_(static_cast<std::uint32_t>(lights.size())) {
+  planes_.assign(4 * stride_, 0.0f);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].type == LightType::directional) continue;  // a range of 0: everywhere
+    for (std::size_t axis = 0; axis < 3; ++axis) planes_[axis * stride_ + i] = lights[i].position[axis];
+    planes_[3 * stride_ + i] = lights[i].inverse_range_squared;
+    limited_ |= lights[i].inverse_range_squared > 0;
+  }
+}
+
+LightBoundsView LightBounds::view() const {
+  const float* p = planes_.data();
+  return {p, p + stride_, p + 2 * stride_, p + 3 * stride_, count_};
+}
+
 }  // namespace tessera

@@ -19,7 +19,9 @@ struct RenderSettings {
   // roughness 0.2 to 0.6, this errs by 0.27 (courtyard), 0.47 (interior) and 0.32 (sunset) of what one lookup along the
   // mirror direction and kS do.
   EnvironmentShading environment_shading = {EnvironmentLobe::taps4, EnvironmentFresnel::f0, false};
-  int threads = 0;  // 0: all cores
+  int threads = 0;     // 0: all cores
+  bool trace = false;  // remember when each thread did what: FrameStatistics::profile
+  bool hash = true;    // compute FrameStatistics::pixel_hash
 
   std::uint64_t tile_order_seed = 0;  // 0: rows; else a shuffle (the picture must not change: tests use it)
   std::function<void(std::size_t done, std::size_t total)> progress;  // tiles; called from any thread

@@ -24,12 +24,14 @@ Lighting::Lighting(const std::vector<Light>& file_lights, const Environment* env
   }
 }
 
-void Lighting::apply(TileInputs& in) const {
-  in.lights = lights;
-  in.frame_features = features;
-  if (environment == nullptr) return;
-  in.environment = environment->view();
-  in.dfg = dfg->view();
+LightingView Lighting::view() const {
+  LightingView view;
+  view.lights = lights;
+  view.features = features;
+  if (environment == nullptr) return view;
+  view.environment = environment->view();
+  view.dfg = dfg->view();
+  return view;
 }
 
 std::size_t Lighting::table_bytes() const {

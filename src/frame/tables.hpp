@@ -18,8 +18,7 @@ struct Lighting {
   std::uint32_t features = 0;
 
   Lighting(const std::vector<Light>& lights, const Environment* environment, const Kernels& kernels);
-  /// Fills in the lighting part of a tile's inputs.
-  void apply(TileInputs& in) const;
+  [[nodiscard]] LightingView view() const;
   /// Memory of the cubes and of the environment BRDF's table.
   [[nodiscard]] std::size_t table_bytes() const;
   [[nodiscard]] BackgroundSource background(const RenderSettings& settings) const;

@@ -8,15 +8,26 @@
 
 namespace tessera {
 
+namespace {
+
+bool is_whole(const TileFragments& tile, std::size_t opaque, int pixels, int samples) {
+  if (!tile.in_order || opaque != tile.fragments.size() || opaque != static_cast<std::size_t>(pixels)) return false;
+  std::uint32_t covered = (1u << samples) - 1;  // as many fragments as pixels: one each, if each covers its pixel
+  for (const Fragment& f : tile.fragments) covered &= f.samples;
+  return covered == (1u << samples) - 1;
+}
+
+}  // namespace
+
 std::size_t TileWorker::bytes() const {
   return fragments.bytes() + depth_.capacity() * 4 + ids_.capacity() * 4 +
          (candidates_.capacity() + grouped_.capacity() + sorted_.capacity()) * sizeof(Fragment);
 }
 
 void TileWorker::render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists) {
-  clock.start();
-  fragments.fragments.clear();
-  fragments.slots.clear();
+  fragments.clear();
+  opaque_count_ = 0;
+  if (lists.opaque.empty() && lists.mask.empty() && lists.blend.empty()) return;
   const std::size_t samples = in.pattern.count;
   depth_.resize(samples * tile_pixels);
   ids_.resize(samples * tile_pixels);
@@ -27,17 +38,22 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
     in.kernels->rasterize_opaque(
         {tile, in.setup.data(), lists.opaque.data(), static_cast<std::uint32_t>(lists.opaque.size())}, &counters);
   }
-  clock.lap(TileStage::coverage);
+  clock.lap(Stage::coverage);
   if (!lists.mask.empty()) {
     draw_masked(in, tile, lists.mask);
-    clock.lap(TileStage::alpha_mask);
+    clock.lap(Stage::alpha_mask);
   }
   collect(in, tile, lists.blend);
+  if (fragments.fragments.empty()) {
+    clock.lap(Stage::collect);
+    return;
+  }
   group_by_binding(in);
-  clock.lap(TileStage::collect);
+  fragments.whole = is_whole(fragments, opaque_count_, width * height, in.pattern.count);
+  clock.lap(Stage::collect);
   shade_runs(in, x, y);
   if (fragments.fragments.size() > opaque_count_) sort_transparent();
-  clock.lap(TileStage::collect);
+  clock.lap(Stage::collect);
 }
 
 // Candidates are tested against what is drawn so far, their alpha is fetched a binding at a time, and the survivors are
@@ -45,21 +61,17 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
 void TileWorker::draw_masked(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> list) {
   const bool split = tile.samples > 1;
   const std::size_t most = std::size_t{tile_pixels} * (split ? tile.samples : 1);
-  struct Piece {
-    std::uint32_t setup, first, count;
-  };
-  std::vector<Piece> pieces;
   std::size_t next = 0;
   while (next < list.size()) {
     const auto binding_of = [&](std::size_t i) { return in.geometry.triangles[in.setup[list[i]].triangle].binding; };
     const std::uint32_t binding = binding_of(next);
-    pieces.clear();
+    pieces_.clear();
     std::uint32_t count = 0;
     while (next < list.size() && binding_of(next) == binding && count < tile_pixels) {
       if (candidates_.size() < count + most) candidates_.resize(count + most);
       const std::uint32_t added =
           in.kernels->collect_triangle(tile, in.setup[list[next]], split, candidates_.data() + count);
-      if (added != 0) pieces.push_back({list[next], count, added});
+      if (added != 0) pieces_.push_back({list[next], count, added});
       count += added;
       ++next;
     }
@@ -70,14 +82,14 @@ void TileWorker::draw_masked(const TileInputs& in, const VisibilityTile& tile, s
     in.kernels->resolve_alpha(
         {in.geometry, in.view, &material, in.pattern, tile.x, tile.y, candidates_.data(), count, alpha_.data()});
     for (std::uint32_t i = 0; i < count; ++i) keep_[i] = alpha_[i] >= material.alpha_cutoff;
-    for (const Piece& p : pieces)
+    for (const Piece& p : pieces_)
       in.kernels->commit_fragments(tile, in.setup[p.setup], candidates_.data() + p.first, keep_.data() + p.first,
                                    p.count);
   }
 }
 
 void TileWorker::collect(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> blend) {
-  std::vector<Fragment>& all = fragments.fragments;
+  ScratchVector<Fragment>& all = fragments.fragments;
   all.resize(std::size_t{tile_pixels} * tile.samples);
   opaque_count_ = in.kernels->collect_visible(tile, all.data());
   std::size_t count = opaque_count_;
@@ -88,16 +100,38 @@ void TileWorker::collect(const TileInputs& in, const VisibilityTile& tile, std::
   all.resize(count);
 }
 
+// Whether all fragments have one binding, and which.
+bool TileWorker::one_binding(const TileInputs& in, std::uint32_t& binding) const {
+  const auto& all = fragments.fragments;
+  if (all.empty()) return false;
+  binding = in.geometry.triangles[all[0].triangle].binding;
+  if (in.materials.size() == 1) return true;
+  std::uint32_t last = all[0].triangle;
+  for (const Fragment& f : all) {
+    if (f.triangle == last) continue;
+    last = f.triangle;
+    if (in.geometry.triangles[last].binding != binding) return false;
+  }
+  return true;
+}
+
 // A stable counting sort. Each binding's run starts on a vector boundary.
 void TileWorker::group_by_binding(const TileInputs& in) {
   constexpr std::uint32_t none = 0xffffffffu;
-  const std::vector<Fragment>& all = fragments.fragments;
-  run_of_binding_.resize(in.materials.size(), none);
-  fragment_run_.resize(all.size());
-  fragments.slots.resize(all.size());
+  const auto& all = fragments.fragments;
+  const auto count = static_cast<std::uint32_t>(all.size());
   runs_.clear();
+  if (std::uint32_t binding = 0; one_binding(in, binding)) {
+    runs_.push_back({binding, 0, count});
+    fragments.in_order = true;
+    fragments.reserve_planes(count);
+    return;
+  }
+  run_of_binding_.resize(in.materials.size(), none);
+  fragment_run_.resize(count);
+  fragments.slots.resize(count);
   std::uint32_t last_triangle = no_triangle, last_run = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (all[i].triangle != last_triangle) {
       last_triangle = all[i].triangle;
       const std::uint32_t binding = in.geometry.triangles[last_triangle].binding;
@@ -119,7 +153,7 @@ void TileWorker::group_by_binding(const TileInputs& in) {
   }
   grouped_.resize(slots);
   fragments.reserve_planes(slots);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     Run& run = runs_[fragment_run_[i]];
     const std::uint32_t slot = run.first + run.count++;
     fragments.slots[i] = slot;
@@ -134,10 +168,10 @@ void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32
   args.count = count;
   args.features = features;
   std::copy(std::begin(in.view.eye), std::end(in.view.eye), args.eye);
-  args.lights = in.lights.data();
-  args.light_count = static_cast<std::uint32_t>(in.lights.size());
-  args.environment = in.environment;
-  args.dfg = in.dfg;
+  args.lights = in.lighting.lights.data();
+  args.light_count = static_cast<std::uint32_t>(in.lighting.lights.size());
+  args.environment = in.lighting.environment;
+  args.dfg = in.lighting.dfg;
   args.environment_shading = in.environment_shading;
   const std::array<float*, 3> radiance = fragments.radiance(first);
   std::copy(radiance.begin(), radiance.end(), args.radiance);
@@ -145,29 +179,40 @@ void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32
 }
 
 void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
+  const Fragment* grouped = fragments.in_order ? fragments.fragments.data() : grouped_.data();
+  const bool sorted = fragments.fragments.size() > opaque_count_;
   for (const Run& run : runs_) {
-    in.kernels->resolve({in.geometry, in.view, &in.materials[run.binding], in.pattern, x, y,
-                         grouped_.data() + run.first, run.count, fragments.gbuffer(run.first)});
+    GBufferView out = fragments.gbuffer(run.first);
+    if (!in.all_planes) {
+      constexpr std::uint32_t own_light = feature_emissive | feature_unlit;
+      if ((classify(in.materials[run.binding], in.lighting.features) & own_light) == 0)
+        out.emissive[0] = out.emissive[1] = out.emissive[2] = out.unlit = nullptr;
+      if (fragments.whole) out.alpha = nullptr;
+      if (!sorted) out.depth = nullptr;
+    }
+    in.kernels->resolve(
+        {in.geometry, in.view, &in.materials[run.binding], in.pattern, x, y, grouped + run.first, run.count, out});
   }
-  clock.lap(TileStage::resolve);
+  clock.lap(Stage::resolve);
   for (const Run& run : runs_)
-    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.frame_features));
-  clock.lap(TileStage::shade);
+    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features));
+  clock.lap(Stage::shade);
 }
 
 // Transparent fragments were appended; every pixel's fragments are brought together, front to back where one is
 // transparent.
 void TileWorker::sort_transparent() {
-  std::vector<Fragment>& all = fragments.fragments;
+  ScratchVector<Fragment>& all = fragments.fragments;
   const float* depth = fragments.gbuffer().depth;
-  std::vector<std::uint32_t> order(all.size());
+  ScratchVector<std::uint32_t>& order = order_;
+  order.resize(all.size());
   std::iota(order.begin(), order.end(), 0u);
   std::array<bool, tile_pixels> transparent{};
   for (std::size_t i = opaque_count_; i < all.size(); ++i) transparent[all[i].pixel] = true;
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     if (all[a].pixel != all[b].pixel) return all[a].pixel < all[b].pixel;
     if (transparent[all[a].pixel]) {
-      const float da = depth[fragments.slots[a]], db = depth[fragments.slots[b]];
+      const float da = depth[fragments.slot(a)], db = depth[fragments.slot(b)];
       if (da != db) return da > db;
     }
     if (all[a].triangle != all[b].triangle) return all[a].triangle < all[b].triangle;
@@ -177,10 +222,11 @@ void TileWorker::sort_transparent() {
   sorted_slots_.resize(all.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     sorted_[i] = all[order[i]];
-    sorted_slots_[i] = fragments.slots[order[i]];
+    sorted_slots_[i] = fragments.slot(order[i]);
   }
   all.swap(sorted_);
   fragments.slots.swap(sorted_slots_);
+  fragments.in_order = false;
 }
 
 }  // namespace tessera

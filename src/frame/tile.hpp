@@ -2,17 +2,24 @@
 // shading.
 #pragma once
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/stage_clock.hpp"
 #include "frame/fragments.hpp"
-#include "frame/statistics.hpp"
 #include "kernels/interface.hpp"
 #include "raster/bins.hpp"
 
 namespace tessera {
+
+/// Lights and environment as kernels read them.
+struct LightingView {
+  std::span<const LightView> lights;
+  EnvironmentView environment{};  // read only if features has feature_environment
+  DfgView dfg{};
+  std::uint32_t features = 0;  // what the frame offers: feature_lights, feature_environment
+};
 
 /// What all tiles of a frame share.
 struct TileInputs {
@@ -21,36 +28,17 @@ struct TileInputs {
   ViewTransform view;
   SamplePattern pattern;
   std::span<const MaterialView> materials;  // per binding
-  std::span<const LightView> lights;
-  EnvironmentView environment;  // read only if frame_features has feature_environment
+  LightingView lighting;
   EnvironmentShading environment_shading;
-  DfgView dfg;
-  std::uint32_t frame_features;
   std::span<const SetupTriangle> setup;
-};
-
-/// Adds the time since the last call to a stage.
-class StageClock {
- public:
-  void start() { last_ = Clock::now(); }
-  void lap(TileStage stage) {
-    const Clock::time_point now = Clock::now();
-    ms_[static_cast<int>(stage)] += std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-  }
-  [[nodiscard]] const std::array<double, static_cast<int>(TileStage::count)>& ms() const { return ms_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_;
-  std::array<double, static_cast<int>(TileStage::count)> ms_{};
+  bool all_planes;  // someone looks at the G-buffer: resolve what shading does not read, too
 };
 
 class TileWorker {
  public:
   StageClock clock;
 
-  /// Leaves the tile's shaded fragments, sorted for compositing, in `fragments`.
+  /// The clock has been started. Leaves the tile's shaded fragments, sorted for compositing, in `fragments`.
   void render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists);
 
   TileFragments fragments;
@@ -59,26 +47,32 @@ class TileWorker {
  private:
   void draw_masked(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> list);
   void collect(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> blend);
+  bool one_binding(const TileInputs& in, std::uint32_t& binding) const;
   void group_by_binding(const TileInputs& in);
   void shade_runs(const TileInputs& in, int x, int y);
   void sort_transparent();
 
+  struct Piece {  // candidates of one masked triangle
+    std::uint32_t setup, first, count;
+  };
   struct Run {  // fragments of one binding, contiguous in the planes
     std::uint32_t binding, first, count;
   };
 
-  AlignedVector<float> depth_;
-  AlignedVector<std::uint32_t> ids_;
-  std::vector<Fragment> candidates_;  // of masked triangles, then of transparent ones
+  ScratchVector<float> depth_;
+  ScratchVector<std::uint32_t> ids_;
+  ScratchVector<Fragment> candidates_;  // of masked triangles, then of transparent ones
   std::vector<float> alpha_;
   std::vector<std::uint8_t> keep_;
-  std::vector<Fragment> grouped_;  // by binding: what resolve reads
+  ScratchVector<Fragment> grouped_;  // by binding: what resolve reads, unless fragments are in order
+  std::vector<Piece> pieces_;
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> run_of_binding_, fragment_run_;
+  ScratchVector<std::uint32_t> order_;
+  std::vector<std::uint32_t> run_of_binding_;
+  ScratchVector<std::uint32_t> fragment_run_;
   std::size_t opaque_count_ = 0;  // fragments before this one are opaque or masked
-  std::vector<std::uint64_t> sort_keys_;
-  std::vector<Fragment> sorted_;
-  std::vector<std::uint32_t> sorted_slots_;
+  ScratchVector<Fragment> sorted_;
+  ScratchVector<std::uint32_t> sorted_slots_;
 };
 
 /// Shades slots [first, first + count) of the planes.

@@ -6,31 +6,38 @@ namespace tessera {
 
 void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const Triangle* triangles,
                      std::span<const AlphaMode> alpha_modes, BinScratch& scratch) {
-  scratch.spans.clear();
-  scratch.rows.clear();
+  scratch.spans.resize(std::max(scratch.spans.capacity(), setup.size() + static_cast<std::size_t>(screen.rows)));
+  scratch.rows.resize(scratch.spans.size());
+  std::size_t count = 0;
   int first_row = screen.rows, last_row = -1;
   for (std::size_t i = 0; i < setup.size(); ++i) {
     const TouchedTiles touched(screen, setup[i]);
     if (touched.first_row() > touched.last_row()) continue;
     first_row = std::min(first_row, touched.first_row());
     last_row = std::max(last_row, touched.last_row());
-    const auto alpha = static_cast<std::uint32_t>(alpha_modes[triangles[setup[i].triangle].binding]);
+    auto reference = static_cast<std::uint32_t>(i) * 4;
+    if (!alpha_modes.empty())
+      reference += static_cast<std::uint32_t>(alpha_modes[triangles[setup[i].triangle].binding]);
+    if (count + static_cast<std::size_t>(screen.rows) > scratch.spans.size()) {
+      scratch.spans.resize(2 * scratch.spans.size());
+      scratch.rows.resize(scratch.spans.size());
+    }
     for (int row = touched.first_row(); row <= touched.last_row(); ++row) {
       const TileRange range = touched.row(row);
-      if (range.first > range.last) continue;
-      scratch.spans.push_back({static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last),
-                               static_cast<std::uint32_t>(i) * 4 + alpha});
-      scratch.rows.push_back(static_cast<std::uint16_t>(row));
+      scratch.spans[count] = {static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last),
+                              reference};
+      scratch.rows[count] = static_cast<std::uint16_t>(row);
+      count += range.first <= range.last;
     }
   }
   // A counting sort by row. begin_[r + 2] counts row r; begin_[r + 1] is then where row r is written next, and ends as
   // where row r + 1 begins.
   first_row_ = first_row;
   begin_.assign(static_cast<std::size_t>(std::max(last_row - first_row + 1, 0)) + 2, 0);
-  for (const std::uint16_t row : scratch.rows) ++begin_[static_cast<std::size_t>(row - first_row) + 2];
+  for (std::size_t i = 0; i < count; ++i) ++begin_[static_cast<std::size_t>(scratch.rows[i] - first_row) + 2];
   for (std::size_t row = 1; row < begin_.size(); ++row) begin_[row] += begin_[row - 1];
-  spans_.resize(scratch.spans.size());
-  for (std::size_t i = 0; i < scratch.spans.size(); ++i) {
+  spans_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
     spans_[begin_[static_cast<std::size_t>(scratch.rows[i] - first_row) + 1]++] = scratch.spans[i];
   }
   begin_.pop_back();

@@ -26,14 +26,15 @@ struct TileSpan {
 
 /// Memory that a thread keeps while it fills chunks.
 struct BinScratch {
-  std::vector<TileSpan> spans;
-  std::vector<std::uint16_t> rows;
+  ScratchVector<TileSpan> spans;
+  ScratchVector<std::uint16_t> rows;
 };
 
 /// Where the triangles of one chunk go: spans bucketed by tile row, only for the rows that they touch.
 class ChunkBins {
  public:
-  /// setup: the chunk's triangles, whose indices refer to `triangles`; alpha_modes: per binding.
+  /// setup: the chunk's triangles, whose indices refer to `triangles`; alpha_modes: per binding, empty if all are
+  /// opaque.
   void fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const Triangle* triangles,
             std::span<const AlphaMode> alpha_modes, BinScratch& scratch);
   [[nodiscard]] std::span<const TileSpan> row(int row) const;
@@ -42,7 +43,7 @@ class ChunkBins {
  private:
   int first_row_ = 0;
   std::vector<std::uint32_t> begin_;  // of each row from first_row_ on, and the end
-  std::vector<TileSpan> spans_;
+  ScratchVector<TileSpan> spans_;
 };
 
 /// The finished lists of one row of tiles.
@@ -56,7 +57,7 @@ class RowBins {
 
  private:
   std::vector<std::size_t> begin_;  // [column * alpha_classes + class], and the end
-  AlignedVector<std::uint32_t> entries_;
+  ScratchVector<std::uint32_t> entries_;
 };
 
 }  // namespace tessera

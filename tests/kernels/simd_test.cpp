@@ -366,6 +366,50 @@ TEST_P(Simd, MaskedStoresTouchNothingElse) {
   }
 }
 
+TEST_P(Simd, RecordsOfSeveralWords) {
+  const VocabularyTable& v = *GetParam();
+  std::mt19937 random(17);
+  for (int round = 0; round < 1000; ++round) {
+    // Exactly as long as what is read: a sanitizer sees a load beyond it.
+    constexpr int records = 40, most = 12;
+    std::vector<float> table(std::size_t{records} * most);
+    for (float& x : table) x = float(random() % 100000);
+    std::int32_t word[max_lanes];
+    float out[most * max_lanes];
+    for (const int size : {3, 4, 12}) {
+      for (std::int32_t& w : word) w = std::int32_t(random() % (table.size() - std::size_t(size) + 1));
+      word[round % v.lanes] = std::int32_t(table.size()) - size;
+      const float* middle = table.data() + table.size() / 2;  // words are signed
+      for (std::int32_t& w : word) w -= std::int32_t(table.size() / 2);
+      (size == 3 ? v.gather_triples : size == 4 ? v.gather_quads : v.gather_three_quads)(middle, word, out);
+      for (int i = 0; i < v.lanes; ++i)
+        for (int k = 0; k < size; ++k) ASSERT_EQ(out[k * v.lanes + i], middle[word[i] + k]);
+    }
+    v.load_quads(table.data(), out);
+    for (int i = 0; i < v.lanes; ++i)
+      for (int k = 0; k < 4; ++k) ASSERT_EQ(out[k * v.lanes + i], table[std::size_t(4 * i + k)]);
+
+    alignas(64) float back[4 * max_lanes], streamed[4 * max_lanes];
+    std::vector<float> scattered(std::size_t{max_lanes} * 7, -1);
+    v.store_quads(out, back);
+    v.stream_quads(out, streamed);
+    v.scatter_quads(out, 7, scattered.data());
+    std::int32_t pairs[2 * max_lanes], low[max_lanes], high[max_lanes];
+    for (std::int32_t& p : pairs) p = std::int32_t(random());
+    v.load_pairs(pairs, low, high);
+    for (int i = 0; i < v.lanes; ++i) {
+      ASSERT_TRUE(low[i] == pairs[2 * i] && high[i] == pairs[2 * i + 1]);
+      for (int k = 0; k < 7; ++k) {
+        const float expected = k < 4 ? table[std::size_t(4 * i + k)] : -1;
+        ASSERT_EQ(scattered[std::size_t(7 * i + k)], expected);
+        if (k < 4) {
+          ASSERT_TRUE(back[4 * i + k] == expected && streamed[4 * i + k] == expected);
+        }
+      }
+    }
+  }
+}
+
 TEST_P(Simd, MasksAndLanes) {
   const VocabularyTable& v = *GetParam();
   const Bits every = (Bits{1} << v.lanes) - 1;

@@ -78,6 +78,8 @@ TEST(ChartProgram, SaysWhenItCannotWrite) {
   cli_test::write_file(folder.path("file"), "in the way");
   expect_one_error_line(run({"chart", "--from", folder.path("results.json"), "-o", folder.path("file/chart")}), 4,
                         "file/chart");
+  // Before it measures: this comes at once, and with no line of progress before it.
+  expect_one_error_line(run({"chart", "fresnel", "-o", folder.path("file/chart")}), 4, "file/chart");
 }
 
 }  // namespace

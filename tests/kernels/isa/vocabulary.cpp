@@ -153,6 +153,15 @@ void apply(const OperationArgs& args) {
   }
 }
 
+template <int words>
+void gather_words(const float* base, const std::int32_t* word, float* out) {
+  Float v[words];
+  gather_quads(base, load_int(word), v);
+  for (int i = 0; i < words; ++i) store(out + i * Float::lanes, v[i]);
+}
+
+Float load_word(const float* in, int word) { return load<Float>(in + word * Float::lanes); }
+
 }  // namespace
 
 extern const VocabularyTable vocabulary;
@@ -180,6 +189,33 @@ const VocabularyTable vocabulary = {
     [](const float* in, std::uint32_t mask, float* out) { store_masked(out, load<Float>(in), from_mask_bits(mask)); },
     [](const std::int32_t* in, std::uint32_t mask, std::int32_t* out) {
       store_masked(out, load_int(in), from_mask_bits(mask));
+    },
+    [](const float* base, const std::int32_t* word, float* out) { gather_words<4>(base, word, out); },
+    [](const float* base, const std::int32_t* word, float* out) { gather_words<12>(base, word, out); },
+    [](const float* base, const std::int32_t* word, float* out) {
+      Float v[3];
+      gather_triples(base, load_int(word), v);
+      for (int i = 0; i < 3; ++i) store(out + i * Float::lanes, v[i]);
+    },
+    [](const float* in, float* out) {
+      Float v[4];
+      load_quads(in, v);
+      for (int i = 0; i < 4; ++i) store(out + i * Float::lanes, v[i]);
+    },
+    [](const float* in, float* out) {
+      store_quads(out, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
+    },
+    [](const float* in, float* out) {
+      stream_quads(out, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
+      end_streaming();
+    },
+    [](const float* in, int stride, float* out) {
+      scatter_quads(out, stride, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
+    },
+    [](const void* in, std::int32_t* low, std::int32_t* high) {
+      const IntPair pair = load_pairs(in);
+      store(low, pair.low);
+      store(high, pair.high);
     },
     [](const std::int32_t* in, std::uint32_t mask, std::int32_t* out) {
       return compress_store(out, load_int(in), from_mask_bits(mask));

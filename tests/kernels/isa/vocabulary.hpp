@@ -88,6 +88,15 @@ struct VocabularyTable {
   void (*gather_bytes_masked)(const void* base, const std::int32_t* offset, std::uint32_t mask, std::int32_t* out);
   void (*store_float_masked)(const float* in, std::uint32_t mask, float* out);
   void (*store_int_masked)(const std::int32_t* in, std::uint32_t mask, std::int32_t* out);
+  // Records of four words, or of twelve, or of three, at base[word[lane]]: word by word into out, `lanes` of each.
+  void (*gather_quads)(const float* base, const std::int32_t* word, float* out);
+  void (*gather_three_quads)(const float* base, const std::int32_t* word, float* out);
+  void (*gather_triples)(const float* base, const std::int32_t* word, float* out);
+  void (*load_quads)(const float* in, float* out);   // consecutive records -> word by word
+  void (*store_quads)(const float* in, float* out);  // and back
+  void (*stream_quads)(const float* in, float* out);
+  void (*scatter_quads)(const float* in, int stride, float* out);
+  void (*load_pairs)(const void* in, std::int32_t* low, std::int32_t* high);
   int (*compress_store)(const std::int32_t* in, std::uint32_t mask, std::int32_t* out);
   std::uint32_t (*mask_round_trip)(std::uint32_t mask);
   std::uint32_t (*any_all_none)(std::uint32_t mask);  // bits 0, 1, 2

@@ -21,8 +21,31 @@ LightView point_light(Falloff falloff, float range) {
 }
 
 template <class F>
-kernel::Incident<F> at(const LightView& light, F x, F y, F z) {
-  return kernel::incident_light<F>(light, kernel::Vec3<F>{x, y, z});
+struct Arriving {
+  kernel::Vec3<F> l;
+  F attenuation;
+};
+
+template <class F>
+Arriving<F> at(const LightView& light, F x, F y, F z) {
+  const auto arriving = [&]<kernel::LightKind kind>() -> Arriving<F> {
+    const auto reach = kernel::light_reach<kind>(light, kernel::Vec3<F>{x, y, z});
+    const auto in = kernel::incident_light<kind>(light, reach);
+    return {reach.d * in.inverse_length, in.strength / in.divisor};
+  };
+  switch (kernel::kind_of(light)) {
+    case kernel::LightKind::directional:
+      return arriving.template operator()<kernel::LightKind::directional>();
+    case kernel::LightKind::point:
+      return arriving.template operator()<kernel::LightKind::point>();
+    case kernel::LightKind::point_plus_one:
+      return arriving.template operator()<kernel::LightKind::point_plus_one>();
+    case kernel::LightKind::spot:
+      return arriving.template operator()<kernel::LightKind::spot>();
+    case kernel::LightKind::spot_plus_one:
+      return arriving.template operator()<kernel::LightKind::spot_plus_one>();
+  }
+  return {};
 }
 
 TEST(PunctualLight, DirectionalIsTheSameEverywhere) {

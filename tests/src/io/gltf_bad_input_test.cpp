@@ -275,7 +275,7 @@ const std::vector<Case>& content_cases() {
     return b.root["materials"][0];
   };
   static const auto light = [](B& b, const json& description) {
-    b.root["extensions"]["KHR_lights_punctual"]["lights"] = {description};
+    b.root["extensions"]["KHR_lights_punctual"]["lights"] = json::array({description});
     b.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
   };
   static const auto camera = [](B& b, const json& description) {

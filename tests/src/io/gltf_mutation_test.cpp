@@ -54,7 +54,7 @@ std::string sample() {
   std::ifstream in(folder.file("a.png"), std::ios::binary);
   const std::string png((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   b.push("images", {{"bufferView", b.view(png.data(), png.size())}, {"mimeType", "image/png"}});
-  b.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}, {"spot", json::object()}}};
+  b.root["extensions"]["KHR_lights_punctual"]["lights"] = json::array({{{"type", "spot"}, {"spot", json::object()}}});
   b.root["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 0;
   return b.glb();
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include <chrono>
 
-namespace tessera::cli {
+namespace tessera {
 
 class Stopwatch {
  public:
@@ -14,4 +14,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace tessera::cli
+}  // namespace tessera
