@@ -26,7 +26,9 @@ Image picture(int width) {
 void bake(benchmark::State& state, const Kernels& kernels, int threads) {
   const Image image = picture(int(state.range(0)));
   run_with_threads(threads, [&] {
-    for (auto _ : state) benchmark::DoNotOptimize(build_environment(image, {}, kernels));
+    EnvironmentSettings settings;
+    settings.levels = 9;
+    for (auto _ : state) benchmark::DoNotOptimize(build_environment(image, settings, kernels));
   });
 }
 
@@ -71,7 +73,10 @@ void register_all() {
     }
     run(name("dfg_table"), [kernels](benchmark::State& state) { dfg(state, *kernels); });
     run(name("irradiance"), [kernels](benchmark::State& state) { irradiance(state, *kernels); });
-    run(name("prefilter"), [kernels](benchmark::State& state) { prefilter(state, *kernels); })->Arg(64)->Arg(1024);
+    run(name("prefilter"), [kernels](benchmark::State& state) { prefilter(state, *kernels); })
+        ->Arg(0)
+        ->Arg(64)
+        ->Arg(1024);
   }
 }
 

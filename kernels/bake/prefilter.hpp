@@ -43,7 +43,7 @@ inline Vec3<F> prefilter(const CubeView& radiance, const LobeSamples& lobe, cons
 
 /// The lobe n = v = r of GGX around n, evaluated exactly at each source: D(h) n.l up to a factor, with cos(theta_h)^2 =
 /// (1 + n.l) / 2. Products and sums are rounded apart: fused they would be no nearer, and on instruction sets without a
-/// fused multiply-add this loop, most of a bake's work, would take six times as long.
+/// fused multiply-add this loop, most of a bake's work, would take four times as long.
 template <class F>
 inline Vec3<F> sum_points(const PointSources& points, const Vec3<F>& n) {
   const F alpha2 = F(points.alpha2), rest = (F(1) - alpha2) * F(0.25);

@@ -5,11 +5,12 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/commands.hpp"
 #include "cli/lighting.hpp"
 #include "cli/machine.hpp"
 #include "cli/parse.hpp"
-#include "cli/stopwatch.hpp"
+
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/environment_file.hpp"
@@ -233,15 +234,7 @@ void add_bake(CLI::App& program) {
       ->type_name("LAMBDA")
       ->capture_default_str()
       ->group(group);
-  group = "Running";
-  command->add_option("--threads", options->machine.threads, "Threads to use (0: all cores)")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group(group);
-  command->add_option("--isa", options->machine.isa, "Instruction set ('tessera isa' lists them)")
-      ->type_name("NAME")
-      ->group(group);
-  command->add_flag("-q,--quiet", options->machine.quiet, "Say nothing but errors")->group(group);
+  add_running_options(*command, options->machine);
   command->footer(footer);
   command->callback([options] { run_bake(*options); });
 }

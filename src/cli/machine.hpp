@@ -13,7 +13,8 @@ struct MachineOptions {
   bool profile = false, quiet = false;
 };
 
-inline void add_machine_options(CLI::App& command, MachineOptions& options) {
+/// What commands without a frame share: threads, instruction set, silence.
+inline void add_running_options(CLI::App& command, MachineOptions& options) {
   const std::string group = "Running";
   command.add_option("--threads", options.threads, "Threads to use (0: all cores)")
       ->type_name("N")
@@ -22,6 +23,12 @@ inline void add_machine_options(CLI::App& command, MachineOptions& options) {
   command.add_option("--isa", options.isa, "Instruction set ('tessera isa' lists them; default: the widest)")
       ->type_name("NAME")
       ->group(group);
+  command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors")->group(group);
+}
+
+inline void add_machine_options(CLI::App& command, MachineOptions& options) {
+  add_running_options(command, options);
+  const std::string group = "Running";
   command.add_option("--stats", options.statistics, "Write times, counts, memory and the pixels' hash as JSON")
       ->type_name("FILE")
       ->group(group);

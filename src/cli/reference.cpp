@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/camera.hpp"
 #include "cli/commands.hpp"
 #include "cli/lighting.hpp"
@@ -12,7 +13,7 @@
 #include "cli/neutral_environment.hpp"
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
-#include "cli/stopwatch.hpp"
+
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/environment_file.hpp"
@@ -276,7 +277,7 @@ void add_reference(CLI::App& program) {
       ->group(group);
   add_camera_options(*command, options->camera);
   add_lighting_options(*command, options->lighting);
-  add_machine_options(*command, options->machine);
+  add_running_options(*command, options->machine);
   command->footer(footer);
   command->callback([options] { run_reference(*options); });
 }

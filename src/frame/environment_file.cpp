@@ -83,7 +83,7 @@ CubeSize take_size(Reader& in, const std::string& name, const char* what, bool h
   if (!has_levels && cube.size == 0) return cube;
   if (cube.size < 1 || cube.size > std::uint32_t(max_cube_size) || !std::has_single_bit(cube.size))
     throw input_error("{}: {} cube of size {}, expected a power of two up to {}", name, what, cube.size, max_cube_size);
-  if (cube.levels < 1 || cube.size >> (cube.levels - 1) == 0 || cube.levels > 31)
+  if (cube.levels < 1 || cube.levels > 31 || cube.size >> (cube.levels - 1) == 0)
     throw input_error("{}: {} cube of size {} with {} levels", name, what, cube.size, cube.levels);
   return cube;
 }

@@ -49,10 +49,12 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                  feature_all,
                  {0, 1, 6, 1},
                  lights,
+                 nullptr,
                  3,
                  environment,
                  {dfg.data(), dfg_size},
-                 {radiance[0].values, radiance[1].values, radiance[2].values}});
+                 {radiance[0].values, radiance[1].values, radiance[2].values},
+                 0});
   for (const auto& plane : radiance)
     for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
 
@@ -65,10 +67,12 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                    feature_environment,
                    {0, 1, 6, 1},
                    nullptr,
+                   nullptr,
                    0,
                    environment,
                    {dfg.data(), dfg_size},
                    {radiance[0].values, radiance[1].values, radiance[2].values},
+                   0,
                    {lobe, EnvironmentFresnel::f0, lobe != EnvironmentLobe::mirror}});
     for (const auto& plane : radiance)
       for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
