@@ -145,7 +145,6 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
 template <std::uint32_t Features, bool plain>
 inline void shade_tile(const ShadeArgs& args) {
   const GBufferView& g = args.gbuffer;
-  [[maybe_unused]] const bool plain = is_plain(args.environment_shading, args.environment);
   for (std::uint32_t i = 0; i < args.count; i += Float::lanes) {
     // A cache line holds sixteen.
     if (args.fetch_ahead != 0 && i % 16 == 0) prefetch_surface(g, std::size_t{i} + args.fetch_ahead);

@@ -92,7 +92,6 @@ void run_render(const Options& options) {
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
   settings.environment_shading = parse_environment_shading(options.lighting);
-  settings.trace = !options.machine.trace.empty();
   set_background(options.picture, false, kernels, settings);
   validate(settings);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
@@ -122,7 +121,6 @@ void run_render(const Options& options) {
   run.environment_ms = watch.ms();
   run.end_phase("environment");
   scene.lights.insert(scene.lights.end(), environment.lights.begin(), environment.lights.end());
-  run.end_phase("environment");
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("preparing the scene");

@@ -58,7 +58,6 @@ void run_shade(const Options& options) {
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
   settings.environment_shading = parse_environment_shading(options.lighting);
-  settings.trace = !options.machine.trace.empty();
   set_background(options.picture, false, kernels, settings);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -85,7 +84,6 @@ void run_shade(const Options& options) {
   run.environment_ms = watch.ms();
   run.end_phase("environment");
   lights.insert(lights.end(), environment.lights.begin(), environment.lights.end());
-  run.end_phase("environment");
   set_background(options.picture, environment.neutral, kernels, settings);
 
   progress.begin("shading");
