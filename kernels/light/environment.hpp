@@ -84,7 +84,7 @@ inline TexelPair<double> cube_texels<double>(const CubeView& cube, std::int64_t 
 
 /// Two texels of a row, the two below them, and what each counts for.
 template <class F>
-struct Footprint {
+struct CellFootprint {
   IntOf<F> above, below;  // index of the left one
   F w00, w01, w10, w11;
 };
@@ -92,7 +92,7 @@ struct Footprint {
 /// The bilinear footprint, times weight, in the level of n = (float) ni texels along a face whose first texel has the
 /// index `start`. The border makes it seamless: no footprint leaves its face.
 template <class F>
-TESSERA_INLINE Footprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> ni, IntOf<F> start, F weight) {
+TESSERA_INLINE CellFootprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> ni, IntOf<F> start, F weight) {
   using I = IntOf<F>;
   const F half = n * F(0.5);
   const F centre = half + F(0.5);  // texel 0's centre is at 1/2 in the face and at 3/2 with the border: s n + 1/2
@@ -103,7 +103,7 @@ TESSERA_INLINE Footprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> 
   const F fx = x - to_float(i), fy = y - to_float(j);
 
   const I row = ni + I(2);
-  Footprint<F> f;
+  CellFootprint<F> f;
   f.above = start + (p.face * row + j) * row + i;
   f.below = f.above + row;
   const F scaled = weight * F(texel_scale<F>);
@@ -116,7 +116,7 @@ TESSERA_INLINE Footprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> 
 }
 
 template <class F>
-TESSERA_INLINE Vec3<F> blend(const Footprint<F>& f, const TexelPair<F>& above, const TexelPair<F>& below) {
+TESSERA_INLINE Vec3<F> blend(const CellFootprint<F>& f, const TexelPair<F>& above, const TexelPair<F>& below) {
   const auto channel = [&](F a, F b, F c, F d) {
     return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
   };
@@ -126,7 +126,7 @@ TESSERA_INLINE Vec3<F> blend(const Footprint<F>& f, const TexelPair<F>& above, c
 }
 
 template <class F>
-TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const Footprint<F>& f) {
+TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const CellFootprint<F>& f) {
   const TexelPair<F> above = cube_texels<F>(cube, f.above), below = cube_texels<F>(cube, f.below);
   return blend(f, above, below);
 }
@@ -134,7 +134,7 @@ TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const Footprint<F>
 /// Footprints in a level and in the next coarser one: their sum is the trilinear lookup.
 template <class F>
 struct CubeLookup {
-  Footprint<F> fine, coarse;
+  CellFootprint<F> fine, coarse;
 };
 
 /// As sample_cube.
@@ -233,7 +233,7 @@ inline DfgTexels<double> dfg_texels<double>(const DfgView& dfg, std::int64_t ind
 
 /// NoV and r (perceptual) in [0, 1]; bilinear, clamped to the table's edge.
 template <class F>
-TESSERA_INLINE Footprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {
+TESSERA_INLINE CellFootprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {
   using I = IntOf<F>;
   const F size = F(dfg.size), last = F(dfg.size - 1);
   const F x = clamp(mul_sub(NoV, size, F(0.5)), F(0), last);
@@ -246,7 +246,7 @@ TESSERA_INLINE Footprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {
 }
 
 template <class F>
-TESSERA_INLINE void blend(const Footprint<F>& f, const DfgTexels<F>& above, const DfgTexels<F>& below, F& A, F& B) {
+TESSERA_INLINE void blend(const CellFootprint<F>& f, const DfgTexels<F>& above, const DfgTexels<F>& below, F& A, F& B) {
   const auto channel = [&](F a, F b, F c, F d) {
     return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
   };
@@ -257,7 +257,7 @@ TESSERA_INLINE void blend(const Footprint<F>& f, const DfgTexels<F>& above, cons
 /// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. Arguments as dfg_footprint.
 template <class F>
 inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
-  const Footprint<F> f = dfg_footprint(dfg, NoV, r);
+  const CellFootprint<F> f = dfg_footprint(dfg, NoV, r);
   const DfgTexels<F> above = dfg_texels<F>(dfg, f.above), below = dfg_texels<F>(dfg, f.below);
   blend(f, above, below, A, B);
 }
