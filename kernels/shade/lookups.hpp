@@ -57,7 +57,7 @@ class EnvironmentLookups {
   }
   TESSERA_INLINE Float word(int k, int i) const { return load<Float>(words_[k][i]); }
 
-  Footprint<Float> dfg_;
+  CellFootprint<Float> dfg_;
   CubeLookup<Float> cube_;
   const float* base_[count];
   alignas(64) std::int32_t words_at_[count][lanes];

@@ -84,8 +84,9 @@ void background_alone(const BackgroundSource& background, const View& view, cons
                           0.0f + one * background.color[2], one};
   for (int y = 0; y < film.height; ++y)
     for (int x = 0; x < film.width; ++x)
-      std::memcpy(film.rgba + static_cast<std::size_t>(y) * film.row_stride + std::size_t{4} * static_cast<std::size_t>(x),
-                  pixel, sizeof(pixel));
+      std::memcpy(
+          film.rgba + static_cast<std::size_t>(y) * film.row_stride + std::size_t{4} * static_cast<std::size_t>(x),
+          pixel, sizeof(pixel));
 }
 
 void composite_background(const BackgroundSource& background, const View& view, const Kernels& kernels,

@@ -16,7 +16,7 @@ const DfgTable& shared_dfg_table(const Kernels& kernels) {
 }  // namespace
 
 Lighting::Lighting(const std::vector<Light>& file_lights, const Environment* env, const Kernels& kernels)
-    : lights(compile_lights(file_lights, kernels)), environment(env) {
+    : lights(compile_lights(file_lights, kernels)), bounds(lights), environment(env) {
   if (!lights.empty()) features |= feature_lights;
   if (environment != nullptr) {
     features |= feature_environment;
@@ -28,6 +28,7 @@ LightingView Lighting::view() const {
   LightingView view;
   view.lights = lights;
   view.features = features;
+  if (bounds.worth_culling()) view.bounds = bounds.view();
   if (environment == nullptr) return view;
   view.environment = environment->view();
   view.dfg = dfg->view();

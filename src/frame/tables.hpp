@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "frame/composite.hpp"
+#include "frame/lights.hpp"
 #include "frame/settings.hpp"
 #include "frame/tile.hpp"
 #include "precompute/dfg.hpp"
@@ -13,6 +14,7 @@ namespace tessera {
 /// Lights and environment, compiled for the kernels. `environment` may be null.
 struct Lighting {
   std::vector<LightView> lights;
+  LightBounds bounds;
   const Environment* environment = nullptr;
   const DfgTable* dfg = nullptr;  // null without an environment
   std::uint32_t features = 0;

@@ -161,7 +161,7 @@ void TileWorker::group_by_binding(const TileInputs& in) {
   }
 }
 
-void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32_t first, std::uint32_t count,
+void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t first, std::uint32_t count,
                std::uint32_t features) {
   ShadeArgs args{};
   args.gbuffer = fragments.gbuffer(first);
@@ -170,6 +170,15 @@ void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32
   std::copy(std::begin(in.view.eye), std::end(in.view.eye), args.eye);
   args.lights = in.lighting.lights.data();
   args.light_count = static_cast<std::uint32_t>(in.lighting.lights.size());
+  if (const LightBoundsView& bounds = in.lighting.bounds; bounds.count != 0 && (features & feature_lights) != 0) {
+    fragments.reached.resize(round_up_to_lanes(bounds.count));
+    args.light_count =
+        in.kernels->cull_lights({{args.gbuffer.position[0], args.gbuffer.position[1], args.gbuffer.position[2]},
+                                 count,
+                                 bounds,
+                                 fragments.reached.data()});
+    args.light_list = fragments.reached.data();
+  }
   args.environment = in.lighting.environment;
   args.dfg = in.lighting.dfg;
   const std::array<float*, 3> radiance = fragments.radiance(first);

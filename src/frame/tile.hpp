@@ -19,6 +19,7 @@ struct LightingView {
   EnvironmentView environment{};  // read only if features has feature_environment
   DfgView dfg{};
   std::uint32_t features = 0;  // what the frame offers: feature_lights, feature_environment
+  LightBoundsView bounds{};    // of the lights, if tiles shall look which of them reach their fragments; else count 0
 };
 
 /// What all tiles of a frame share.
@@ -75,7 +76,7 @@ class TileWorker {
 };
 
 /// Shades slots [first, first + count) of the planes.
-void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32_t first, std::uint32_t count,
+void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t first, std::uint32_t count,
                std::uint32_t features);
 
 }  // namespace tessera
