@@ -44,7 +44,19 @@ inline SetupTriangle setup_triangle(const SnappedVertex& a, const SnappedVertex&
 inline std::int32_t least(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
 inline std::int32_t greatest(std::int32_t a, std::int32_t b) { return a > b ? a : b; }
 
-/// Whether a sample of the frame lies in the triangle's bounding box, its right and bottom border excluded: a point of
+/// Whether the triangle of positive area covers the sample at (x, y); edges.hpp has the rule.
+inline bool covers(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c, std::int32_t x,
+                   std::int32_t y) {
+  const auto inside = [=](const SnappedVertex& from, const SnappedVertex& to) {
+    const std::int32_t dy = to.y - from.y, dx = from.x - to.x;
+    const bool top_left = dy > 0 || (dy == 0 && dx > 0);
+    return std::int64_t(dy) * (x - from.x) + std::int64_t(dx) * (y - from.y) - (top_left ? 0 : 1) >= 0;
+  };
+  return inside(a, b) && inside(b, c) && inside(c, a);
+}
+
+/// Whether the triangle of positive area may cover a sample of the frame: one lies in its bounding box, and where that
+/// holds at most 2 x 2 of a kind, the triangle covers one. The box's right and bottom border are excluded: a point of
 /// the largest x (y) is on a right (bottom) edge, which the top-left rule gives to the neighbour.
 inline bool has_sample(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c,
                        const SamplePattern& pattern, int width, int height) {
@@ -55,7 +67,11 @@ inline bool has_sample(const SnappedVertex& a, const SnappedVertex& b, const Sna
     const std::int32_t x_last = least((x_max - pattern.x[s] - 1) >> subpixel_bits, width - 1);
     const std::int32_t y_first = greatest((y_min - pattern.y[s] + 255) >> subpixel_bits, 0);
     const std::int32_t y_last = least((y_max - pattern.y[s] - 1) >> subpixel_bits, height - 1);
-    if (x_first <= x_last && y_first <= y_last) return true;
+    if (x_first > x_last || y_first > y_last) continue;
+    if (x_last - x_first > 1 || y_last - y_first > 1) return true;
+    for (std::int32_t y = y_first; y <= y_last; ++y)
+      for (std::int32_t x = x_first; x <= x_last; ++x)
+        if (covers(a, b, c, (x << subpixel_bits) + pattern.x[s], (y << subpixel_bits) + pattern.y[s])) return true;
   }
   return false;
 }

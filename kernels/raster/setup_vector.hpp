@@ -16,18 +16,51 @@ struct VectorTriangles {
   Float depth[3];
 };
 
-/// has_sample() for every lane.
-TESSERA_INLINE Mask has_sample(Int x_min, Int x_max, Int y_min, Int y_max, const SamplePattern& pattern, int width,
-                               int height) {
-  Mask found(false);
+struct BoxLanes {
+  Int x_min, x_max, y_min, y_max;
+};
+
+/// has_sample() for every wanted lane, of triangles whose vertices are in order. Both terms of an edge function at a
+/// point of the bounding box are below small_extent^2 = 2^30: no overflow.
+TESSERA_INLINE Mask has_sample(const Int (&vx)[3], const Int (&vy)[3], const BoxLanes& box, Mask wanted,
+                               const SamplePattern& pattern, int width, int height) {
+  Mask found = !wanted;
   for (int s = 0; s < pattern.count && !all(found); ++s) {
-    const Int x_first = max((x_min + Int(255 - pattern.x[s])) >> subpixel_bits, Int(0));
-    const Int x_last = min((x_max - Int(pattern.x[s] + 1)) >> subpixel_bits, Int(width - 1));
-    const Int y_first = max((y_min + Int(255 - pattern.y[s])) >> subpixel_bits, Int(0));
-    const Int y_last = min((y_max - Int(pattern.y[s] + 1)) >> subpixel_bits, Int(height - 1));
-    found |= (x_first <= x_last) & (y_first <= y_last);
+    const Int x_first = max((box.x_min + Int(255 - pattern.x[s])) >> subpixel_bits, Int(0));
+    const Int x_last = min((box.x_max - Int(pattern.x[s] + 1)) >> subpixel_bits, Int(width - 1));
+    const Int y_first = max((box.y_min + Int(255 - pattern.y[s])) >> subpixel_bits, Int(0));
+    const Int y_last = min((box.y_max - Int(pattern.y[s] + 1)) >> subpixel_bits, Int(height - 1));
+    const Int columns = x_last - x_first, rows = y_last - y_first;
+    const Mask some = (columns >= Int(0)) & (rows >= Int(0)), many = some & ((columns > Int(1)) | (rows > Int(1)));
+    found |= many;
+    const Mask few = some & !found;
+    if (none(few)) continue;
+    const Int x = (x_first << subpixel_bits) + Int(pattern.x[s]), y = (y_first << subpixel_bits) + Int(pattern.y[s]);
+    Int edge[3], a[3], b[3];
+    for (int e = 0; e < 3; ++e) {
+      const int next = e == 2 ? 0 : e + 1;
+      a[e] = vy[next] - vy[e];
+      b[e] = vx[e] - vx[next];
+      const Mask top_left = (a[e] > Int(0)) | ((a[e] == Int(0)) & (b[e] > Int(0)));
+      edge[e] = a[e] * (x - vx[e]) + b[e] * (y - vy[e]) - select(top_left, Int(0), Int(1));
+      a[e] = a[e] << subpixel_bits;
+      b[e] = b[e] << subpixel_bits;
+    }
+    const auto covered = [&](int dx, int dy) {
+      Int all_edges(0);
+      for (int e = 0; e < 3; ++e) {
+        Int at = edge[e];
+        if (dx != 0) at += a[e];
+        if (dy != 0) at += b[e];
+        all_edges |= at;
+      }
+      return all_edges >= Int(0);
+    };
+    const Mask two_columns = columns > Int(0), two_rows = rows > Int(0);
+    found |= few & (covered(0, 0) | (two_columns & covered(1, 0)) | (two_rows & covered(0, 1)) |
+                    (two_columns & two_rows & covered(1, 1)));
   }
-  return found;
+  return found & wanted;
 }
 
 /// Which of the lanes' bindings keep back faces; a run of triangles usually has one binding.
@@ -106,8 +139,10 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
   const Mask turned = from_mask_bits(double_sided_lanes(args.double_sided, triangles, to_bits(negative)));
   const Mask culled = negative & !turned;
   const Mask facing = here & !culled;
-  const Mask kept =
-      facing & (area != Int(0)) & has_sample(x_min, x_max, y_min, y_max, pattern, args.view.width, args.view.height);
+  const Int in_order_x[3] = {t.x[0], select(turned, t.x[2], t.x[1]), select(turned, t.x[1], t.x[2])};
+  const Int in_order_y[3] = {t.y[0], select(turned, t.y[2], t.y[1]), select(turned, t.y[1], t.y[2])};
+  const Mask kept = has_sample(in_order_x, in_order_y, {x_min, x_max, y_min, y_max}, facing & (area != Int(0)), pattern,
+                               args.view.width, args.view.height);
   const std::uint32_t kept_lanes = to_bits(kept);
   const auto kept_count = std::uint64_t(__builtin_popcount(kept_lanes));
   counters.back_face += std::uint64_t(__builtin_popcount(to_bits(culled)));

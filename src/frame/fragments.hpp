@@ -26,6 +26,8 @@ class TileFragments {
     in_order = whole = false;
   }
 
+  ScratchVector<std::uint32_t> reached;  // lights that reach a run
+
   /// Room for `count` slots in every plane; keeps no content when it grows.
   void reserve_planes(std::uint32_t count);
   /// The planes from slot `first` on.

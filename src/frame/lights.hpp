@@ -20,6 +20,8 @@ class LightBounds {
   [[nodiscard]] LightBoundsView view() const;
   /// Some light has a range: culling can leave one out.
   [[nodiscard]] bool limited() const { return limited_; }
+  /// And there are so many that looking costs less than shading with all.
+  [[nodiscard]] bool worth_culling() const { return limited_ && count_ > 4; }
 
  private:
   AlignedVector<float> planes_;  // x, y, z, 1 / range^2

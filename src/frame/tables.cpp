@@ -28,9 +28,7 @@ LightingView Lighting::view() const {
   LightingView view;
   view.lights = lights;
   view.features = features;
-  // Below that, asking which lights reach a tile costs more than the few that do not.
-  constexpr std::size_t worth_culling = 5;
-  if (bounds.limited() && lights.size() >= worth_culling) view.bounds = bounds.view();
+  if (bounds.worth_culling()) view.bounds = bounds.view();
   if (environment == nullptr) return view;
   view.environment = environment->view();
   view.dfg = dfg->view();

@@ -161,8 +161,8 @@ void TileWorker::group_by_binding(const TileInputs& in) {
   }
 }
 
-void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32_t first, std::uint32_t count,
-               std::uint32_t features, std::vector<std::uint32_t>& light_list) {
+void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t first, std::uint32_t count,
+               std::uint32_t features) {
   ShadeArgs args{};
   args.gbuffer = fragments.gbuffer(first);
   args.count = count;
@@ -170,12 +170,14 @@ void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32
   std::copy(std::begin(in.view.eye), std::end(in.view.eye), args.eye);
   args.lights = in.lighting.lights.data();
   args.light_count = static_cast<std::uint32_t>(in.lighting.lights.size());
-  if (in.lighting.bounds.count != 0 && (features & feature_lights) != 0) {
-    light_list.resize(round_up_to_lanes(in.lighting.bounds.count));
-    const GBufferView& g = args.gbuffer;
-    args.light_count = in.kernels->cull_lights(
-        {{g.position[0], g.position[1], g.position[2]}, count, in.lighting.bounds, light_list.data()});
-    args.light_list = light_list.data();
+  if (const LightBoundsView& bounds = in.lighting.bounds; bounds.count != 0 && (features & feature_lights) != 0) {
+    fragments.reached.resize(round_up_to_lanes(bounds.count));
+    args.light_count =
+        in.kernels->cull_lights({{args.gbuffer.position[0], args.gbuffer.position[1], args.gbuffer.position[2]},
+                                 count,
+                                 bounds,
+                                 fragments.reached.data()});
+    args.light_list = fragments.reached.data();
   }
   args.environment = in.lighting.environment;
   args.dfg = in.lighting.dfg;
@@ -202,8 +204,7 @@ void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
   }
   clock.lap(Stage::resolve);
   for (const Run& run : runs_)
-    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features),
-              light_list);
+    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features));
   clock.lap(Stage::shade);
 }
 

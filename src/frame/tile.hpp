@@ -19,7 +19,7 @@ struct LightingView {
   EnvironmentView environment{};  // read only if features has feature_environment
   DfgView dfg{};
   std::uint32_t features = 0;  // what the frame offers: feature_lights, feature_environment
-  LightBoundsView bounds{};    // of the lights; count 0: all of them are taken everywhere
+  LightBoundsView bounds{};    // of the lights, if tiles shall look which of them reach their fragments; else count 0
 };
 
 /// What all tiles of a frame share.
@@ -43,7 +43,6 @@ class TileWorker {
   void render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists);
 
   TileFragments fragments;
-  std::vector<std::uint32_t> light_list;  // scratch of shade_run
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -78,7 +77,7 @@ class TileWorker {
 };
 
 /// Shades slots [first, first + count) of the planes.
-void shade_run(const TileInputs& in, const TileFragments& fragments, std::uint32_t first, std::uint32_t count,
-               std::uint32_t features, std::vector<std::uint32_t>& light_list);
+void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t first, std::uint32_t count,
+               std::uint32_t features);
 
 }  // namespace tessera

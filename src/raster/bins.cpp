@@ -6,41 +6,50 @@ namespace tessera {
 
 void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const Triangle* triangles,
                      std::span<const AlphaMode> alpha_modes, BinScratch& scratch) {
-  scratch.spans.resize(std::max(scratch.spans.capacity(), setup.size() + static_cast<std::size_t>(screen.rows)));
+  scratch.spans.resize(std::max(scratch.spans.capacity(), 2 * setup.size() + static_cast<std::size_t>(screen.rows)));
   scratch.rows.resize(scratch.spans.size());
-  std::size_t count = 0;
-  int first_row = screen.rows, last_row = -1;
+  scratch.row_counts.assign(static_cast<std::size_t>(screen.rows), 0);
+  std::uint32_t* const row_counts = scratch.row_counts.data();
+  TileSpan* span = scratch.spans.data();
+  std::uint16_t* span_row = scratch.rows.data();
+  const auto add = [&](int row, TileRange range, std::uint32_t reference) {
+    *span++ = {static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last), reference};
+    *span_row++ = static_cast<std::uint16_t>(row);
+    ++row_counts[row];
+  };
   for (std::size_t i = 0; i < setup.size(); ++i) {
     const TouchedTiles touched(screen, setup[i]);
-    if (touched.first_row() > touched.last_row()) continue;
-    first_row = std::min(first_row, touched.first_row());
-    last_row = std::max(last_row, touched.last_row());
     auto reference = static_cast<std::uint32_t>(i) * 4;
     if (!alpha_modes.empty())
       reference += static_cast<std::uint32_t>(alpha_modes[triangles[setup[i].triangle].binding]);
-    if (count + static_cast<std::size_t>(screen.rows) > scratch.spans.size()) {
-      scratch.spans.resize(2 * scratch.spans.size());
-      scratch.rows.resize(scratch.spans.size());
+    if (touched.is_box()) {
+      for (int row = touched.first_row(); row <= touched.last_row(); ++row) add(row, touched.box(), reference);
+      continue;
     }
-    for (int row = touched.first_row(); row <= touched.last_row(); ++row) {
-      const TileRange range = touched.row(row);
-      scratch.spans[count] = {static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last),
-                              reference};
-      scratch.rows[count] = static_cast<std::uint16_t>(row);
-      count += range.first <= range.last;
+    const auto used = static_cast<std::size_t>(span - scratch.spans.data());
+    // Room for this one's rows, and two for each that follows.
+    if (const std::size_t need = used + static_cast<std::size_t>(screen.rows) + 2 * setup.size();
+        need > scratch.spans.size()) {
+      scratch.spans.resize(2 * need);
+      scratch.rows.resize(2 * need);
+      span = scratch.spans.data() + used;
+      span_row = scratch.rows.data() + used;
     }
+    for (int row = touched.first_row(); row <= touched.last_row(); ++row)
+      if (const TileRange range = touched.row(row); range.first <= range.last) add(row, range, reference);
   }
-  // A counting sort by row. begin_[r + 2] counts row r; begin_[r + 1] is then where row r is written next, and ends as
-  // where row r + 1 begins.
+  // A counting sort by row, over the rows that are touched: next[r] is where row r is written next.
+  const auto count = static_cast<std::size_t>(span - scratch.spans.data());
+  int first_row = 0, last_row = screen.rows - 1;
+  while (first_row <= last_row && row_counts[first_row] == 0) ++first_row;
+  while (last_row > first_row && row_counts[last_row] == 0) --last_row;
   first_row_ = first_row;
-  begin_.assign(static_cast<std::size_t>(std::max(last_row - first_row + 1, 0)) + 2, 0);
-  for (std::size_t i = 0; i < count; ++i) ++begin_[static_cast<std::size_t>(scratch.rows[i] - first_row) + 2];
-  for (std::size_t row = 1; row < begin_.size(); ++row) begin_[row] += begin_[row - 1];
+  begin_.assign(1, 0);
+  for (int row = first_row; row <= last_row; ++row) begin_.push_back(begin_.back() + row_counts[row]);
+  std::uint32_t* const next = row_counts;
+  for (int row = first_row; row <= last_row; ++row) next[row] = begin_[static_cast<std::size_t>(row - first_row)];
   spans_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    spans_[begin_[static_cast<std::size_t>(scratch.rows[i] - first_row) + 1]++] = scratch.spans[i];
-  }
-  begin_.pop_back();
+  for (std::size_t i = 0; i < count; ++i) spans_[next[scratch.rows[i]]++] = scratch.spans[i];
 }
 
 std::span<const TileSpan> ChunkBins::row(int row) const {

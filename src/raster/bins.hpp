@@ -28,6 +28,7 @@ struct TileSpan {
 struct BinScratch {
   ScratchVector<TileSpan> spans;
   ScratchVector<std::uint16_t> rows;
+  std::vector<std::uint32_t> row_counts;
 };
 
 /// Where the triangles of one chunk go: spans bucketed by tile row, only for the rows that they touch.

@@ -7,6 +7,9 @@
 
 namespace tessera {
 
+inline constexpr int tile_shift = 5;
+static_assert(1 << tile_shift == tile_size);
+
 /// A frame as a grid of tiles, with the sample positions that decide what is touched.
 struct TileScreen {
   int width = 0, height = 0;                                // pixels
@@ -28,17 +31,21 @@ class TouchedTiles {
  public:
   TouchedTiles(const TileScreen& screen, const SetupTriangle& t) {
     // Samples on the right and bottom border of the bounding box belong to neighbours (top-left rule).
-    const int x0 = std::max((std::min({t.x[0], t.x[1], t.x[2]}) - screen.x_max + 255) >> subpixel_bits, 0);
-    const int x1 = std::min((std::max({t.x[0], t.x[1], t.x[2]}) - screen.x_min - 1) >> subpixel_bits, screen.width - 1);
-    const int y0 = std::max((std::min({t.y[0], t.y[1], t.y[2]}) - screen.y_max + 255) >> subpixel_bits, 0);
-    const int y1 =
-        std::min((std::max({t.y[0], t.y[1], t.y[2]}) - screen.y_min - 1) >> subpixel_bits, screen.height - 1);
+    const auto least = [](const std::int32_t(&v)[3]) { return std::min(std::min(v[0], v[1]), v[2]); };
+    const auto most = [](const std::int32_t(&v)[3]) { return std::max(std::max(v[0], v[1]), v[2]); };
+    const int x0 = std::max((least(t.x) - screen.x_max + 255) >> subpixel_bits, 0);
+    const int x1 = std::min((most(t.x) - screen.x_min - 1) >> subpixel_bits, screen.width - 1);
+    const int y0 = std::max((least(t.y) - screen.y_max + 255) >> subpixel_bits, 0);
+    const int y1 = std::min((most(t.y) - screen.y_min - 1) >> subpixel_bits, screen.height - 1);
     if (x0 > x1 || y0 > y1) return;
-    box_ = {x0 / tile_size, x1 / tile_size};
-    first_row_ = y0 / tile_size, last_row_ = y1 / tile_size;
+    box_ = {x0 >> tile_shift, x1 >> tile_shift};
+    first_row_ = y0 >> tile_shift, last_row_ = y1 >> tile_shift;
     by_edges_ = box_.last - box_.first > 1 || last_row_ - first_row_ > 1;
     if (by_edges_) set_edges(screen, t);
   }
+  /// No row is cut by an edge: row() is the same for all.
+  [[nodiscard]] bool is_box() const { return !by_edges_; }
+  [[nodiscard]] TileRange box() const { return box_; }
   [[nodiscard]] int first_row() const { return first_row_; }
   [[nodiscard]] int last_row() const { return last_row_; }  // before first_row: none
   /// Empty (last < first) where the edges leave nothing of the row.

@@ -1,5 +1,6 @@
 // Frame after frame, nothing is allocated. A program of its own, for it replaces the global operator new.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -13,13 +14,21 @@
 
 namespace {
 
-std::atomic<std::size_t> allocations{0};
+std::atomic<std::size_t> allocations{0}, live_bytes{0}, peak_bytes{0};
 
 void* allocate(std::size_t size, std::size_t alignment) {
   ++allocations;
   void* p = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (p == nullptr) throw std::bad_alloc();
+  const std::size_t live = live_bytes += malloc_usable_size(p);
+  for (std::size_t peak = peak_bytes; live > peak && !peak_bytes.compare_exchange_weak(peak, live);) {
+  }
   return p;
+}
+
+void release(void* p) {
+  if (p != nullptr) live_bytes -= malloc_usable_size(p);
+  std::free(p);
 }
 
 }  // namespace
@@ -28,10 +37,10 @@ void* operator new(std::size_t size) { return allocate(size, alignof(std::max_al
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept { release(p); }
+void operator delete(void* p, std::size_t) noexcept { release(p); }
+void operator delete(void* p, std::align_val_t) noexcept { release(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 
 namespace tessera {
 namespace {
@@ -67,6 +76,26 @@ TEST(SteadyState, FramesAllocateNothing) {
       for (int round = 0; round < 5; ++round) least = std::min(least, allocations_of(render));
       EXPECT_LE(least, allocations_of_threads(threads)) << g.name << " on " << threads << " threads";
     }
+  }
+}
+
+// Scene and film are there before; vertices, set-up, bins and tiles are what a frame adds.
+TEST(Memory, AFrameOf3840x2160TakesLessThan64MiB) {
+  const Kernels& kernels = select_kernels();
+  const Environment environment = build_environment(golden::golden_environment(), {}, kernels);
+  for (golden::GoldenScene& g : golden::golden_scenes()) {
+    g.settings.width = 3840;
+    g.settings.height = 2160;
+    g.settings.threads = 2;
+    Renderer renderer(g.scene, g.environment ? &environment : nullptr, kernels);
+    const View view = make_view(g.camera, g.settings.width, g.settings.height, kernels);
+    Frame frame;
+    frame.rgba = Image(g.settings.width, g.settings.height, 4);
+    const std::size_t before = live_bytes;
+    peak_bytes = before;
+    renderer.render(view, g.settings, {}, frame);
+    EXPECT_LT(peak_bytes - before, std::size_t{64} << 20) << g.name;
+    EXPECT_LT(frame.statistics.working_bytes, std::size_t{64} << 20) << g.name;
   }
 }
 

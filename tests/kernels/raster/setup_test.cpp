@@ -87,14 +87,25 @@ TEST(Setup, CullsAndOrientsAsADirectReadingSays) {
       }
       const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
       const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
-      bool sample = false;  // one that the half-open bounding box contains
-      for (int i = 0; i < samples; ++i) {
-        const auto hits = [&](int low, int high, int offset, int size) {
+      SetupTriangle front = s;
+      orient(front);
+      // A sample in the half-open bounding box; where at most 2 x 2 of one kind are in it, a covered one.
+      bool sample = false;
+      for (int i = 0; i < samples && twice_area(s) != 0; ++i) {
+        const auto inside = [](int low, int high, int offset, int size) {
+          std::vector<int> at;
           for (int p = std::max(low >> 8, 0); p <= std::min(high >> 8, size - 1); ++p)
-            if (p * 256 + offset >= low && p * 256 + offset < high) return true;
-          return false;
+            if (p * 256 + offset >= low && p * 256 + offset < high) at.push_back(p * 256 + offset);
+          return at;
         };
-        sample |= hits(left, right, pattern.x[i], 1000) && hits(top, bottom, pattern.y[i], 800);
+        const std::vector<int> xs = inside(left, right, pattern.x[i], 1000),
+                               ys = inside(top, bottom, pattern.y[i], 800);
+        if (xs.size() > 2 || ys.size() > 2) {
+          sample |= !xs.empty() && !ys.empty();
+        } else {
+          for (const int x : xs)
+            for (const int y : ys) sample |= covers(front, x, y);
+        }
       }
       if (twice_area(s) == 0 || !sample) {
         ++expected.empty;

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
+#include "frame/dispatch.hpp"
 #include "golden/builder.hpp"
+#include "golden/scenes.hpp"
+#include "precompute/environment.hpp"
 
 namespace tessera {
 namespace {
@@ -46,6 +50,23 @@ TEST(Composite, AgreesWithSampleBySampleOver) {
             << "pixel " << pixel << ", " << samples << " samples";
       ASSERT_NEAR(scratch.remaining[pixel], left, 1e-6);
     }
+  }
+}
+
+TEST(Composite, ATileOfBackgroundAloneIsWhatCompositingNothingGives) {
+  const Kernels& kernels = select_kernels();
+  const Environment environment = build_environment(golden::golden_environment(), {}, kernels);
+  Camera camera;
+  const View view = make_view(camera, 100, 70, kernels);
+  for (const Background kind : {Background::color, Background::transparent, Background::environment}) {
+    const BackgroundSource background{kind, {0.25f, -0.0f, 7}, environment.view().background, 1.5f};
+    CompositeScratch scratch, other;
+    std::vector<float> expected(std::size_t{4} * 40 * tile_size, -3), got = expected;
+    const auto film = [&](std::vector<float>& rgba) { return TileFilm{64, 32, 31, 27, rgba.data(), 4 * 40}; };
+    composite_surfaces(TileFragments(), 4, scratch);
+    composite_background(background, view, kernels, scratch, film(expected));
+    background_alone(background, view, kernels, other, film(got));
+    EXPECT_EQ(0, std::memcmp(got.data(), expected.data(), got.size() * sizeof(float))) << static_cast<int>(kind);
   }
 }
 
