@@ -84,8 +84,9 @@ DracoPrimitive decode_draco(GltfDocument& document, const tinygltf::Value& exten
   for (const std::string& name : attributes.Keys()) {
     const auto id = std::uint32_t(attributes.Get(name).GetNumberAsDouble());
     const draco::PointAttribute* attribute = mesh->GetAttributeByUniqueId(id);
-    if (attribute == nullptr) throw document.wrong(part + ".attributes." + name, "no attribute has the id {}", id);
-    out.attributes[name] = convert(*mesh, *attribute, document, part + ".attributes." + name);
+    const std::string place = fmt::format("{}.attributes.{}", part, name);
+    if (attribute == nullptr) throw document.wrong(place, "no attribute has the id {}", id);
+    out.attributes[name] = convert(*mesh, *attribute, document, place);
   }
   return out;
 }

@@ -121,6 +121,7 @@ void expect_within_limits(const SetupTriangle& t) {
     ASSERT_TRUE(t.x[k] >= -(1 << 23) && t.x[k] <= 1 << 23 && t.y[k] >= -(1 << 23) && t.y[k] <= 1 << 23);
   ASSERT_TRUE(t.depth_min >= 0 && t.depth_min <= t.depth_max && t.depth_max <= 3.4e38f)
       << t.depth_min << " " << t.depth_max;
+  ASSERT_TRUE(std::isfinite(t.depth_dx) && std::isfinite(t.depth_dy)) << t.depth_dx << " " << t.depth_dy;
   ASSERT_LT(t.triangle, batch);
 }
 
