@@ -15,7 +15,7 @@
 #include "bench/chart/session.hpp"
 #include "catalogue/method.hpp"
 #include "cli/help.hpp"
-#include "cli/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 
@@ -84,7 +84,7 @@ Results measure(const Options& options) {
   for (const Kernels* kernels : session.kernels) results.machine.isas.emplace_back(kernels->isa);
   for (const FamilyEntry& family : chosen) {
     session.progress(family.name);
-    const cli::Stopwatch watch;
+    const Stopwatch watch;
     results.families.push_back(family.measure(session));
     cli::note(fmt::format("{:<14}{:>6.1f} s", family.name, watch.ms() / 1000));
   }

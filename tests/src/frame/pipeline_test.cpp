@@ -27,7 +27,8 @@ struct Prepared {
   std::unique_ptr<Lighting> lighting;
   View view;
 
-  Prepared(const golden::GoldenScene& scene, const Kernels& kernels) : golden(scene) {
+  Prepared(const golden::GoldenScene& scene, const Kernels& kernels)
+      : golden(scene), environment(build_environment(golden::golden_environment(), {}, kernels)) {
     golden::Random random(3);
     for (int i = 0; i < 60; ++i) {
       Light light;
@@ -41,7 +42,6 @@ struct Prepared {
       double_sided.push_back(m.double_sided);
       alpha_modes.push_back(m.alpha_mode);
     }
-    environment = build_environment(golden::golden_environment(), {}, kernels);
     lighting = std::make_unique<Lighting>(golden.scene.lights, &environment, kernels);
     view = make_view(golden.camera, golden.settings.width, golden.settings.height, kernels);
   }
