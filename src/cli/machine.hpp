@@ -38,7 +38,6 @@ inline void add_machine_options(CLI::App& command, MachineOptions& options) {
                   "Write when each thread did what, tile by tile, for chrome://tracing or ui.perfetto.dev")
       ->type_name("FILE.json")
       ->group(group);
-  command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors")->group(group);
 }
 
 inline void validate(const MachineOptions& options) {
