@@ -68,8 +68,7 @@ TEST_F(Profile, TraceHoldsEveryStageOfEveryTileOnceAndThreadsDoOneThingAtATime) 
   seen.insert(tiles["background"].begin(), tiles["background"].end());
   EXPECT_EQ(seen.size(), 7u * 4u);
   EXPECT_LT(tiles["coverage"].size(), seen.size());
-  for (const auto& tile : tiles["shade"])
-    EXPECT_EQ(tiles["composite"].count(tile), 1u);
+  for (const auto& tile : tiles["shade"]) EXPECT_EQ(tiles["composite"].count(tile), 1u);
   EXPECT_GT(tiles["shade"].size(), 3u);
   for (auto& [thread, list] : spans) {
     EXPECT_EQ(named.count(thread), 1u);
