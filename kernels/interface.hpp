@@ -138,7 +138,8 @@ struct SetupTriangle {              // 48 bytes
 static_assert(sizeof(SetupTriangle) == 48);
 
 struct GeometryCounters {
-  std::uint64_t in, outside, back_face, empty, clipped, kept;  // empty: no area, or no sample within the bounding box
+  // empty: no area, no sample within the bounding box, or few there and none covered
+  std::uint64_t in, outside, back_face, empty, clipped, kept;
 };
 
 struct SetupTrianglesArgs {

@@ -3,9 +3,9 @@
 namespace tessera {
 
 std::uint32_t classify(const MaterialView& m, std::uint32_t frame_features) {
+  if (m.unlit) return feature_unlit;  // every fragment shows its colour as it is
   std::uint32_t features = frame_features & (feature_lights | feature_environment);
   if (m.emissive[0] > 0 || m.emissive[1] > 0 || m.emissive[2] > 0) features |= feature_emissive;
-  if (m.unlit) features |= feature_unlit;
   return features;
 }
 
