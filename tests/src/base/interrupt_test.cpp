@@ -29,6 +29,7 @@ template <class Work>
 int ended_by(int signal, const Work& work) {
   const pid_t child = fork();
   if (child == 0) {
+    std::signal(signal, SIG_DFL);  // tests that run in the background of a script inherit that it is ignored
     remove_guarded_files_on_signals();
     work();
     std::raise(signal);

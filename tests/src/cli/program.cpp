@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -27,6 +28,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& out, c
   pointers.push_back(nullptr);
   const pid_t child = fork();
   if (child != 0) return child;
+  std::signal(SIGINT, SIG_DFL);  // tests that run in the background of a script inherit that it is ignored
   const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int in_file = open("/dev/null", O_RDONLY);

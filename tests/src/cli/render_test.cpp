@@ -227,9 +227,6 @@ TEST_F(Render, UnwritableOutputIsStatus4BeforeTheWorkBegins) {
 }
 
 TEST_F(Render, InterruptedLeavesNothingBehind) {
-#ifdef __SANITIZE_THREAD__
-  GTEST_SKIP() << "ThreadSanitizer holds signals back until the program is done";
-#endif
   const auto has_temporary = [](const std::filesystem::path& path) {
     for (const auto& entry : std::filesystem::directory_iterator(path))
       if (entry.path().filename().string().find(".tessera-") != std::string::npos) return true;
