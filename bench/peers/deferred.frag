@@ -14,23 +14,24 @@ float pow5(float x) { return x * x * (x * x) * x; }
 
 struct Surface {
   vec3 position, n, v, f0, diffuse;
-  float n_dot_v, alpha2;
+  float n_dot_v, alpha2, view_root;  // the part of the masking that no light changes
 };
 
-// GGX with height-correlated Smith (Heitz 2014), Schlick's Fresnel, Lambert; Karis 2013 (eq. 9) for the falloff.
+float masking_root(float cosine, float alpha2) { return sqrt(cosine * cosine * (1.0 - alpha2) + alpha2); }
+
+// GGX with height-correlated Smith (Heitz 2014), Schlick's Fresnel, Lambert; Karis 2013 (eq. 9) for the falloff. One
+// division for distribution and masking.
 vec3 light(Surface s, vec4 at, vec3 intensity) {
   vec3 to_light = at.xyz - s.position;
   float distance2 = dot(to_light, to_light);
-  vec3 l = to_light * inversesqrt(distance2), h = normalize(l + s.v);
+  vec3 l = to_light / sqrt(distance2), h = normalize(l + s.v);
   float n_dot_l = saturate(dot(s.n, l)), n_dot_h = saturate(dot(s.n, h)), v_dot_h = saturate(dot(s.v, h));
   float q = distance2 * at.w, window = saturate(1.0 - q * q);
   float spread = n_dot_h * n_dot_h * (s.alpha2 - 1.0) + 1.0;
-  float distribution = s.alpha2 / (pi * spread * spread);
-  float masking = 0.5 / (n_dot_l * sqrt(s.n_dot_v * s.n_dot_v * (1.0 - s.alpha2) + s.alpha2) +
-                         s.n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - s.alpha2) + s.alpha2));
+  float roots = n_dot_l * s.view_root + s.n_dot_v * masking_root(n_dot_l, s.alpha2);
+  float lobe = 0.5 / pi * s.alpha2 / (spread * spread * roots);
   vec3 fresnel = s.f0 + (1.0 - s.f0) * pow5(1.0 - v_dot_h);
-  return ((1.0 - fresnel) * s.diffuse + fresnel * (distribution * masking)) * intensity *
-         (window * window / (distance2 + 1.0) * n_dot_l);
+  return (s.diffuse + fresnel * (lobe - s.diffuse)) * intensity * (window * window * n_dot_l / (distance2 + 1.0));
 }
 
 vec3 irradiance_at(vec3 n) {
@@ -47,7 +48,9 @@ void main() {
   float roughness = b.w, alpha = max(roughness, 0.045) * max(roughness, 0.045);
   vec3 albedo = c.rgb * (1.0 - c.w), v = normalize(eye - a.xyz);
   float facing = dot(b.xyz, v), n_dot_v = clamp(facing, 1e-4, 1.0);
-  Surface s = Surface(a.xyz, b.xyz, v, mix(vec3(0.04), c.rgb, c.w), albedo / pi, n_dot_v, alpha * alpha);
+  float alpha2 = alpha * alpha;
+  Surface s = Surface(a.xyz, b.xyz, v, mix(vec3(0.04), c.rgb, c.w), albedo / pi, n_dot_v, alpha2,
+                      masking_root(n_dot_v, alpha2));
 
   vec3 sum = vec3(0.0);
   for (int i = 0; i < LIGHTS; ++i) sum += light(s, lights[2 * i], lights[2 * i + 1].rgb);

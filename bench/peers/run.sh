@@ -8,7 +8,7 @@
 #   THREADS=2            of both
 #   ISA=                 Tessera's instruction set (`tessera isa` lists them); empty: the best that this CPU has
 #   UNDER=               a command that every measured program runs under: "taskset -c 0,1"
-#   DATA=                a folder with inputs of your own; empty: build/peers/data, made if it is not there
+#   DATA=                a folder with inputs of your own; empty: build/peers/data, made as bench/peers/scene.cpp says
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -34,11 +34,9 @@ targets=(tessera_workload tessera_peer_inputs tessera_peer_gl tessera_peer_compa
 cmake --preset release >"$out/cmake.log" 2>&1 || fail "cmake could not configure the build: see $out/cmake.log"
 cmake --build "$build" --target "${targets[@]}" >"$out/build.log" 2>&1 || fail "the build failed: see $out/build.log"
 
-if [[ ! -e "$data/w1_gbuffer.f32" ]]; then
+if [[ -z "${DATA:-}" && ! "$data/dfg.rg16f" -nt "$build/tessera_peer_inputs" ]]; then  # the file that is written last
   echo "== Making inputs in $data (105 MB)"
-  rm -rf "$data.part"
-  "$build/tessera_peer_inputs" "$data.part"
-  mv "$data.part" "$data"
+  "$build/tessera_peer_inputs" "$data"
 fi
 
 # llvmpipe, whatever else is installed; and no cache on disk, which would outlive a change of these settings.

@@ -28,7 +28,7 @@ float random_of(std::uint32_t pixel, std::uint32_t which) {
 
 constexpr int columns = 11, rows = 7;
 constexpr float radius = 0.42f;
-constexpr float least_roughness = 0.1f;  // below it single precision tells GGX's peak to no better than 1 %
+constexpr float least_roughness = 0.12f;  // far below it single precision tells GGX's peak to no better than 1 %
 
 struct Surface {
   Vector position, normal, color;
