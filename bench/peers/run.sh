@@ -28,11 +28,11 @@ else
   echo "This is not a Debian system. Needed are, by their Debian names: ${packages[*]}"
 fi
 
-echo "== Building"
+echo "== Building (minutes the first time; its words are in $out/build.log)"
 mkdir -p "$out"
 targets=(tessera_workload tessera_peer_inputs tessera_peer_gl tessera_peer_compare)
 cmake --preset release >"$out/cmake.log" 2>&1 || fail "cmake could not configure the build: see $out/cmake.log"
-cmake --build "$build" --target "${targets[@]}" >"$out/build.log" 2>&1 || fail "the build failed: see $out/build.log"
+cmake --build "$build" -j "${TESSERA_JOBS:-$(nproc)}" --target "${targets[@]}" >"$out/build.log" 2>&1 || fail "the build failed: see $out/build.log"
 
 if [[ -z "${DATA:-}" && ! "$data/dfg.rg16f" -nt "$build/tessera_peer_inputs" ]]; then  # the file that is written last
   echo "== Making inputs in $data (105 MB)"
