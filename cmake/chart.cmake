@@ -18,7 +18,7 @@ add_custom_command(OUTPUT ${TESSERA_CHART_PAGE}
 
 # What draws and writes; the rest measures.
 set(TESSERA_CHART_DRAWING
-    axis compare error_map labels markup output page page_data page_maps page_table pareto plot plot_frame raster results_read results_write)
+    axis compare error_map labels markup output page page_data page_maps page_table plot plot_frame raster results_read results_write)
 list(TRANSFORM TESSERA_CHART_DRAWING REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/bench/chart/\\1.cpp")
 add_library(tessera_charts STATIC ${TESSERA_CHART_DRAWING} ${TESSERA_CHART_PAGE})
 target_link_libraries(tessera_charts PUBLIC tessera_core PRIVATE PkgConfig::RSVG)

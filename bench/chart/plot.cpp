@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/pareto.hpp"
 #include "bench/chart/markup.hpp"
 #include "bench/chart/page_parts.hpp"
-#include "bench/chart/pareto.hpp"
 #include "bench/chart/plot_frame.hpp"
 
 namespace tessera::chart {

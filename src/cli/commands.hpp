@@ -9,6 +9,7 @@ void add_shade(CLI::App& program);
 void add_info(CLI::App& program);
 void add_isa(CLI::App& program);
 void add_furnace(CLI::App& program);
+void add_tune(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_bake(CLI::App& program);
 void add_reference(CLI::App& program);

@@ -11,9 +11,6 @@
 namespace tessera::cli {
 
 namespace {
-constexpr std::array<const char*, 5> lobe_names = {"n=v", "shifted", "taps2", "taps4", "fis8"};  // as EnvironmentLobe
-constexpr std::array<const char*, 2> fresnel_names = {"kS", "f0"};  // as EnvironmentFresnel
-
 template <std::size_t N>
 std::size_t index_of(const std::array<const char*, N>& names, const char* option, const std::string& text) {
   for (std::size_t k = 0; k < N; ++k)
@@ -58,20 +55,21 @@ void add_lighting_options(CLI::App& command, LightingOptions& options) {
       ->capture_default_str()
       ->group(group);
   command
-      .add_option("--env-lobe", options.lobe,
-                  fmt::format("How reflections are looked up: {} (default: {})", fmt::join(lobe_names, ", "),
-                              lobe_names[std::size_t(RenderSettings{}.environment_shading.lobe)]))
+      .add_option(
+          "--env-lobe", options.lobe,
+          fmt::format("How reflections are looked up: {} (default: {})", fmt::join(environment_lobe_names, ", "),
+                      environment_lobe_names[std::size_t(RenderSettings{}.environment_shading.lobe)]))
       ->type_name("LOBE")
       ->group(group);
   command
       .add_option("--env-fresnel", options.fresnel,
                   fmt::format("Reflectance of the environment's single scattering: kS or f0 (default: {})",
-                              fresnel_names[std::size_t(RenderSettings{}.environment_shading.fresnel)]))
+                              environment_fresnel_names[std::size_t(RenderSettings{}.environment_shading.fresnel)]))
       ->type_name("FORM")
       ->group(group);
   command
       .add_flag("--specular-occlusion", options.specular_occlusion,
-                "Occlude reflections by angle and roughness, not by the occlusion map alone")
+                "Occlude reflections by angle and roughness, not by the occlusion map alone (=false: not)")
       ->group(group);
   command.add_option("--light", options.lights, "Another light; may be repeated: see below")
       ->type_name("SPEC")
@@ -127,13 +125,14 @@ std::vector<std::string> environment_warnings(const std::string& name, const Env
   return warnings;
 }
 
-EnvironmentShading parse_environment_shading(const LightingOptions& options) {
-  EnvironmentShading shading = RenderSettings{}.environment_shading;
+EnvironmentShading parse_environment_shading(const LightingOptions& options, const RenderSettings& settings) {
+  EnvironmentShading shading = settings.environment_shading;
   if (!options.lobe.empty())
-    shading.lobe = static_cast<EnvironmentLobe>(index_of(lobe_names, "--env-lobe", options.lobe));
+    shading.lobe = static_cast<EnvironmentLobe>(index_of(environment_lobe_names, "--env-lobe", options.lobe));
   if (!options.fresnel.empty())
-    shading.fresnel = static_cast<EnvironmentFresnel>(index_of(fresnel_names, "--env-fresnel", options.fresnel));
-  shading.specular_occlusion |= options.specular_occlusion;
+    shading.fresnel =
+        static_cast<EnvironmentFresnel>(index_of(environment_fresnel_names, "--env-fresnel", options.fresnel));
+  if (options.specular_occlusion != 0) shading.specular_occlusion = options.specular_occlusion > 0;
   return shading;
 }
 

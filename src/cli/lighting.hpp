@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/settings.hpp"
 #include "kernels/interface.hpp"
 #include "precompute/environment.hpp"
 #include "scene/light.hpp"
@@ -13,9 +14,9 @@ namespace tessera::cli {
 
 struct LightingOptions {
   std::string environment, layout = "auto", lobe, fresnel;
-  bool specular_occlusion = false;
-  double rotation = 0;   // degrees
-  double intensity = 1;  // factor
+  int specular_occlusion = 0;  // > 0: on, < 0: off (--specular-occlusion=false), 0: nothing said
+  double rotation = 0;         // degrees
+  double intensity = 1;        // factor
   std::vector<std::string> lights;
 };
 
@@ -24,8 +25,8 @@ void add_lighting_options(CLI::App& command, LightingOptions& options);
 /// The paragraph of a command's help that tells about orientation and units.
 extern const char* const lighting_help;
 
-/// How the options want the environment to be looked up. Throws Error(usage).
-EnvironmentShading parse_environment_shading(const LightingOptions& options);
+/// How the options want the environment to be looked up; what they leave open is as in settings. Throws Error(usage).
+EnvironmentShading parse_environment_shading(const LightingOptions& options, const RenderSettings& settings);
 
 /// What an environment's report has to say to a person: negative texels only if asked for.
 std::vector<std::string> environment_warnings(const std::string& name, const EnvironmentReport& report,

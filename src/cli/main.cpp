@@ -13,6 +13,7 @@ constexpr const char* footer = R"(Examples:
   tessera render scene.glb --env courtyard.exr -o out.png
   tessera render scene.glb --orbit 30,20 --light directional:-1,-2,-1:3 --background '#202830' -o out.png
   tessera render scene.glb --env courtyard.exr --aov id,depth,normal,albedo -o out.exr
+  tessera tune scene.glb --env courtyard.exr --max-error 2 -o settings.json
   tessera info scene.glb
   tessera chart --quick
 
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
   tessera::cli::add_shade(program);
   tessera::cli::add_bake(program);
   tessera::cli::add_reference(program);
+  tessera::cli::add_tune(program);
   tessera::cli::add_info(program);
   tessera::cli::add_isa(program);
   tessera::cli::add_chart(program);
@@ -46,7 +48,7 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
     if (program.get_subcommands().empty())
       throw tessera::usage_error(
-          "a command is needed: render, shade, bake, reference, info, isa, chart or furnace ('tessera --help')");
+          "a command is needed: render, shade, tune, bake, reference, info, isa, chart or furnace ('tessera --help')");
   } catch (const CLI::CallForHelp&) {
     // Help of the command that was being parsed, not of the whole program.
     const auto chosen = program.get_subcommands();

@@ -9,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "cli/parse.hpp"
 #include "base/stopwatch.hpp"
+#include "cli/parse.hpp"
 #include "io/image_file.hpp"
 
 namespace tessera::cli {
@@ -34,20 +34,6 @@ void append_layers(const Frame& frame, std::vector<ExrChannel>& channels) {
 
 const std::map<std::string, std::string> exr_attributes = {{"Software", "tessera " TESSERA_VERSION}};
 
-std::vector<unsigned char> encode(const PicturePlan& plan, const Image& image, int channels, const Kernels& kernels) {
-  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
-  std::vector<unsigned char> bytes(width * height * static_cast<std::size_t>(channels));
-  parallel_for(height, [&](std::size_t y) {
-    std::vector<std::uint8_t> row(channels == 4 ? 0 : width * 4);
-    std::uint8_t* const out = channels == 4 ? bytes.data() + y * width * 4 : row.data();
-    kernels.encode({image.at(0, static_cast<int>(y)), width, plan.exposure, plan.curve, out});
-    if (channels == 4) return;
-    unsigned char* rgb = bytes.data() + y * width * 3;
-    for (std::size_t x = 0; x < width; ++x) std::copy_n(row.data() + x * 4, 3, rgb + x * 3);
-  });
-  return bytes;
-}
-
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
@@ -63,6 +49,11 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
                   "png or exr, whatever the file is called (default: by its ending; - is png)")
       ->type_name("NAME")
       ->group(group);
+  add_look_options(command, options);
+}
+
+void add_look_options(CLI::App& command, PictureOptions& options) {
+  const std::string group = "Picture";
   command
       .add_option("--exposure", options.exposure, "Brighter by so many stops; a PNG's alone: an EXR stays as computed")
       ->type_name("STOPS")
@@ -89,6 +80,30 @@ std::string PicturePlan::beside(const std::string& what) const {
   return fs::path(path).replace_extension(what + ".exr").string();
 }
 
+std::vector<unsigned char> encode_picture(const Look& look, const Image& image, int channels, const Kernels& kernels) {
+  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  std::vector<unsigned char> bytes(width * height * static_cast<std::size_t>(channels));
+  parallel_for(height, [&](std::size_t y) {
+    std::vector<std::uint8_t> row(channels == 4 ? 0 : width * 4);
+    std::uint8_t* const out = channels == 4 ? bytes.data() + y * width * 4 : row.data();
+    kernels.encode({image.at(0, static_cast<int>(y)), width, look.exposure, look.curve, out});
+    if (channels == 4) return;
+    unsigned char* rgb = bytes.data() + y * width * 3;
+    for (std::size_t x = 0; x < width; ++x) std::copy_n(row.data() + x * 4, 3, rgb + x * 3);
+  });
+  return bytes;
+}
+
+Look plan_look(const PictureOptions& options, const Kernels& kernels) {
+  Look look;
+  look.curve = parse_tone_curve(options.tonemap);
+  if (!(options.exposure >= -60 && options.exposure <= 60))
+    throw usage_error("--exposure {}: expected -60 to 60 stops", options.exposure);
+  const float stops = static_cast<float>(options.exposure);
+  kernels.evaluate(MathFunction::exp2, &stops, &stops, &look.exposure, 1);
+  return look;
+}
+
 PicturePlan plan_picture(const PictureOptions& options, const Kernels& kernels) {
   PicturePlan plan;
   plan.path = options.output;
@@ -103,11 +118,7 @@ PicturePlan plan_picture(const PictureOptions& options, const Kernels& kernels) 
   if (!format.empty() && format != "png" && format != "exr")
     throw usage_error("--format '{}': expected png or exr", format);
   plan.exr = format == "exr";
-  plan.curve = parse_tone_curve(options.tonemap);
-  if (!(options.exposure >= -60 && options.exposure <= 60))
-    throw usage_error("--exposure {}: expected -60 to 60 stops", options.exposure);
-  const float stops = static_cast<float>(options.exposure);
-  kernels.evaluate(MathFunction::exp2, &stops, &stops, &plan.exposure, 1);
+  plan.look = plan_look(options, kernels);
   check_writable(plan.path);
   return plan;
 }
@@ -146,7 +157,7 @@ void write_picture(const PicturePlan& plan, const Frame& frame, Background backg
     return;
   }
   const int channels = background == Background::transparent ? 4 : 3;
-  const std::vector<unsigned char> bytes = encode(plan, image, channels, kernels);
+  const std::vector<unsigned char> bytes = encode_picture(plan.look, image, channels, kernels);
   encode_ms += watch.ms();
   const Stopwatch writing;
   write_png(plan.path, image.width, image.height, channels, bytes.data());

@@ -2,6 +2,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "frame/frame.hpp"
 
@@ -15,14 +16,26 @@ struct PictureOptions {
   double background_blur = 0;
 };
 
+/// The file, and how the picture looks.
 void add_picture_options(CLI::App& command, PictureOptions& options);
+/// Only how it looks: exposure, tone curve, background.
+void add_look_options(CLI::App& command, PictureOptions& options);
+
+/// From linear light to what a display shows.
+struct Look {
+  ToneCurve curve = ToneCurve::none;
+  float exposure = 1;  // factor
+};
+Look plan_look(const PictureOptions& options, const Kernels& kernels);
+
+/// image as 8-bit sRGB of 3 or 4 channels, straight alpha. Runs on the threads of the caller's arena.
+std::vector<unsigned char> encode_picture(const Look& look, const Image& image, int channels, const Kernels& kernels);
 
 /// Everything that can be wrong about the options, found before the work begins.
 struct PicturePlan {
   std::string path;
   bool exr = false;
-  ToneCurve curve = ToneCurve::none;
-  float exposure = 1;  // factor
+  Look look;
 
   /// "out/a.png" and "aov" -> "out/a.aov.exr"
   [[nodiscard]] std::string beside(const std::string& what) const;

@@ -1,5 +1,6 @@
 // tessera render: a glTF scene into a picture.
 #include <algorithm>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -16,6 +17,7 @@
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/gbuffer_file.hpp"
+#include "frame/settings_file.hpp"
 #include "io/gltf.hpp"
 
 namespace tessera::cli {
@@ -23,7 +25,8 @@ namespace {
 
 struct Options {
   std::string scene, size = "1920x1080", aovs;
-  int samples = 4;
+  std::string settings;        // a file
+  std::optional<int> samples;  // not given: that file's, or the default
   CameraOptions camera;
   LightingOptions lighting;
   PictureOptions picture;
@@ -86,12 +89,13 @@ void run_render(const Options& options) {
   check_machine_outputs(options.machine, picture.path);
   RenderSettings settings;
   const std::array<int, 2> size = parse_size(options.size);
+  if (!options.settings.empty()) read_settings(options.settings, settings);
   settings.width = size[0];
   settings.height = size[1];
-  settings.samples = options.samples;
+  settings.samples = options.samples.value_or(settings.samples);
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
-  settings.environment_shading = parse_environment_shading(options.lighting);
+  settings.environment_shading = parse_environment_shading(options.lighting, settings);
   set_background(options.picture, false, kernels, settings);
   validate(settings);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
@@ -187,7 +191,12 @@ void add_render(CLI::App& program) {
   add_picture_options(*command, options->picture);
   command->add_option("--samples", options->samples, "Samples per pixel: 1, 2, 4, 8 or 16")
       ->type_name("N")
-      ->capture_default_str()
+      ->default_str(std::to_string(RenderSettings{}.samples))
+      ->group("Picture");
+  command
+      ->add_option("--settings", options->settings,
+                   "Samples and the environment's options from a file of 'tessera tune'; options given here win")
+      ->type_name("FILE.json")
       ->group("Picture");
   command->add_option("--aov", options->aovs, "More layers to write, with commas between them: see below")
       ->type_name("LIST")

@@ -57,7 +57,7 @@ void run_shade(const Options& options) {
   RenderSettings settings;
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
-  settings.environment_shading = parse_environment_shading(options.lighting);
+  settings.environment_shading = parse_environment_shading(options.lighting, settings);
   set_background(options.picture, false, kernels, settings);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);

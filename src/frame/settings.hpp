@@ -1,11 +1,18 @@
 // What a person may choose about a frame. The scene and the environment are given separately.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 
 #include "kernels/interface.hpp"
 
 namespace tessera {
+
+/// Values of RenderSettings::samples.
+inline constexpr std::array<int, 5> sample_counts = {1, 2, 4, 8, 16};
+/// What people call the values of EnvironmentLobe and EnvironmentFresnel, in their order.
+inline constexpr std::array<const char*, 5> environment_lobe_names = {"n=v", "shifted", "taps2", "taps4", "fis8"};
+inline constexpr std::array<const char*, 2> environment_fresnel_names = {"kS", "f0"};
 
 enum class Background { environment, color, transparent };
 

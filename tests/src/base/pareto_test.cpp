@@ -1,11 +1,11 @@
-#include "bench/chart/pareto.hpp"
+#include "base/pareto.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-namespace tessera::chart {
+namespace tessera {
 namespace {
 
 TEST(Pareto, KeepsWhatNothingBeatsCheapestFirst) {
@@ -38,4 +38,4 @@ TEST(Pareto, AgreesWithTheDefinition) {
 }
 
 }  // namespace
-}  // namespace tessera::chart
+}  // namespace tessera

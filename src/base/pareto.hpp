@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tessera::chart {
+namespace tessera {
 
 struct Tradeoff {
   double cost, error;
@@ -13,4 +13,4 @@ struct Tradeoff {
 /// two), cheapest first. Of equal points all are kept. Points with a cost or an error that is no number take no part.
 std::vector<std::size_t> pareto_frontier(const std::vector<Tradeoff>& points);
 
-}  // namespace tessera::chart
+}  // namespace tessera

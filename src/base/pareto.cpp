@@ -1,9 +1,9 @@
-#include "bench/chart/pareto.hpp"
+#include "base/pareto.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tessera::chart {
+namespace tessera {
 
 std::vector<std::size_t> pareto_frontier(const std::vector<Tradeoff>& points) {
   std::vector<std::size_t> order;
@@ -25,4 +25,4 @@ std::vector<std::size_t> pareto_frontier(const std::vector<Tradeoff>& points) {
   return frontier;
 }
 
-}  // namespace tessera::chart
+}  // namespace tessera

@@ -1,0 +1,115 @@
+#include "cli/tune_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/text.hpp"
+#include "cli/tune_chart.hpp"
+#include "io/output_file.hpp"
+
+namespace tessera::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Differs from the exact settings in at most one knob.
+bool is_single(const KnobPoint& point) {
+  return std::count_if(point.choice.begin(), point.choice.end(), [](int k) { return k != 0; }) <= 1;
+}
+
+std::vector<std::size_t> cheapest_first(const std::vector<KnobPoint>& points) {
+  std::vector<std::size_t> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points[a].cost != points[b].cost ? points[a].cost < points[b].cost
+                                            : points[a].error.mean < points[b].error.mean;
+  });
+  return order;
+}
+
+// A letter for each point of the frontier, the choice included; '.' for the rest.
+std::vector<char> marks_of(const TuneReport& r, const std::vector<std::size_t>& order) {
+  std::vector<char> marks(r.points.size(), '.');
+  char next = 'A';
+  for (const std::size_t i : order) {
+    if (!r.points[i].frontier && i != r.chosen) continue;
+    marks[i] = next;
+    next = next == 'Z' ? 'a' : static_cast<char>(next + 1);
+  }
+  return marks;
+}
+
+}  // namespace
+
+std::string result_of(const KnobPoint& point) {
+  return fmt::format("mean error {:.3g} display steps (99 % of pixels within {}), {:.1f} ms a frame", point.error.mean,
+                     point.error.percentile99, point.cost);
+}
+
+std::string table_of(const TuneReport& r) {
+  const std::vector<std::size_t> order = cheapest_first(r.points);
+  const std::vector<char> marks = marks_of(r, order);
+  const KnobChoice standard = r.knobs.defaults();
+  std::string text = fmt::format(
+      "{}: {} x {}, {} pixels of the scene, {} on {} thread{}, median of {} frame{}\n\n"
+      "      ms a frame  mean error  99 % within  settings\n",
+      printable(r.scene), r.width, r.height, grouped(r.pixels), r.isa, r.threads, r.threads == 1 ? "" : "s", r.frames,
+      r.frames == 1 ? "" : "s");
+  std::size_t left_out = 0;
+  std::vector<ChartPoint> chart;
+  for (const std::size_t i : order) {
+    const KnobPoint& p = r.points[i];
+    chart.push_back({p.cost, p.error.mean, marks[i]});
+    const bool exact = i == 0, is_default = p.choice == standard;
+    if (marks[i] == '.' && !exact && !is_default && !is_single(p)) {
+      ++left_out;
+      continue;
+    }
+    text += fmt::format("  {} {:>12.1f}{:>12.3f}{:>13}  {}{}{}{}\n", marks[i], p.cost, p.error.mean,
+                        p.error.percentile99, describe(r.knobs, p.choice), exact ? " (exact)" : "",
+                        is_default ? " (the default)" : "", i == r.chosen ? "  <- chosen" : "");
+  }
+  text += "Letters: on the frontier; no other is both cheaper and nearer. Dots: beaten";
+  text += left_out == 0 ? ".\n" : fmt::format(", with {} more that the table leaves out.\n", left_out);
+  return text + "\n" + draw_chart(chart, r.limit.mean);
+}
+
+void write_results(const std::string& path, const TuneReport& r) {
+  Json j;
+  j["tessera"] = TESSERA_VERSION;
+  j["command"] = "tune";
+  j["scene"] = r.scene;
+  j["width"] = r.width;
+  j["height"] = r.height;
+  j["pixels"] = r.pixels;
+  j["isa"] = r.isa;
+  j["threads"] = r.threads;
+  j["frames"] = r.frames;
+  j["error_unit"] = "display steps (1/255)";
+  j["max_error"] = r.limit.mean;
+  if (std::isfinite(r.limit.percentile99)) j["max_p99"] = r.limit.percentile99;
+  j["points"] = Json::array();
+  for (std::size_t i = 0; i < r.points.size(); ++i) {
+    const KnobPoint& p = r.points[i];
+    RenderSettings s;
+    r.knobs.apply(p.choice, s);
+    const EnvironmentShading& shading = s.environment_shading;
+    j["points"].push_back({{"samples", s.samples},
+                           {"env-lobe", environment_lobe_names.at(std::size_t(shading.lobe))},
+                           {"env-fresnel", environment_fresnel_names.at(std::size_t(shading.fresnel))},
+                           {"specular-occlusion", shading.specular_occlusion},
+                           {"mean_error", p.error.mean},
+                           {"p99_error", p.error.percentile99},
+                           {"ms", p.cost},
+                           {"frontier", p.frontier},
+                           {"exact", i == 0},
+                           {"chosen", i == r.chosen}});
+  }
+  const std::string text = j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+}  // namespace tessera::cli
