@@ -9,7 +9,7 @@ namespace tessera::cli {
 namespace {
 
 constexpr int columns = 72, rows = 18;  // of the plot; the lowest row is for what is exact
-constexpr double floor_error = 0.01;
+constexpr double exact_below = 1e-3;
 
 // Where a value stands between the ends of a logarithmic axis, 0 .. last.
 int place(double value, double low, double high, int last) {
@@ -21,14 +21,17 @@ int place(double value, double low, double high, int last) {
 }  // namespace
 
 std::string draw_chart(const std::vector<ChartPoint>& points, double limit) {
-  double cheapest = points.at(0).cost, dearest = cheapest, worst = std::max(limit, floor_error * 10);
+  double cheapest = points.at(0).cost, dearest = cheapest, worst = limit, least = limit > 0 ? limit : 1;
   for (const ChartPoint& p : points) {
     cheapest = std::min(cheapest, p.cost);
     dearest = std::max(dearest, p.cost);
     worst = std::max(worst, p.error);
+    if (p.error > 0) least = std::min(least, p.error);
   }
+  least = std::max(least, exact_below);
+  worst = std::max(worst, least);
   const auto row_of = [&](double error) {
-    return error < floor_error ? rows - 1 : rows - 2 - place(error, floor_error, worst, rows - 2);
+    return error < least ? rows - 1 : rows - 2 - place(error, least, worst, rows - 2);
   };
   std::vector<std::string> plot(rows, std::string(columns, ' '));
   const int limit_row = row_of(limit);
@@ -48,7 +51,7 @@ std::string draw_chart(const std::vector<ChartPoint>& points, double limit) {
     else if (row == rows - 1)
       label = "exact";
     else if (row == rows - 2)
-      label = fmt::format("{:.3g}", floor_error);
+      label = fmt::format("{:.3g}", least);
     text += fmt::format("{:>8} |{}\n", label, plot[static_cast<std::size_t>(row)]);
   }
   const std::string low = fmt::format("{:.4g}", cheapest), high = fmt::format("{:.4g} ms a frame", dearest);

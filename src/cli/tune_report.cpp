@@ -43,7 +43,7 @@ std::vector<char> marks_of(const TuneReport& r, const std::vector<std::size_t>& 
 }  // namespace
 
 std::string result_of(const KnobPoint& point) {
-  return fmt::format("mean error {:.3g} display steps (99 % of pixels within {}), {:.1f} ms a frame", point.error.mean,
+  return fmt::format("mean error {:.3g} display steps (99 % of pixels within {}), {:.2f} ms a frame", point.error.mean,
                      point.error.percentile99, point.cost);
 }
 
@@ -66,7 +66,7 @@ std::string table_of(const TuneReport& r) {
       ++left_out;
       continue;
     }
-    text += fmt::format("  {} {:>12.1f}{:>12.3f}{:>13}  {}{}{}{}\n", marks[i], p.cost, p.error.mean,
+    text += fmt::format("  {} {:>12.2f}{:>12.3f}{:>13}  {}{}{}{}\n", marks[i], p.cost, p.error.mean,
                         p.error.percentile99, describe(r.knobs, p.choice), exact ? " (exact)" : "",
                         is_default ? " (the default)" : "", i == r.chosen ? "  <- chosen" : "");
   }

@@ -17,7 +17,7 @@ struct TuneReport {
   std::size_t chosen = 0;
 };
 
-/// "mean error 0.81 display steps (99 % of pixels within 5), 41.2 ms a frame"
+/// "mean error 0.81 display steps (99 % of pixels within 5), 41.23 ms a frame"
 std::string result_of(const KnobPoint& point);
 
 /// The frontier, the knobs alone, the defaults and the choice, cheapest first; and the chart of all.
