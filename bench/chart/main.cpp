@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/progress.hpp"
+#include "base/stopwatch.hpp"
 #include "bench/chart/compare.hpp"
 #include "bench/chart/families.hpp"
 #include "bench/chart/machine.hpp"
@@ -15,7 +16,6 @@
 #include "bench/chart/session.hpp"
 #include "catalogue/method.hpp"
 #include "cli/help.hpp"
-#include "base/stopwatch.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 

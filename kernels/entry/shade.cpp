@@ -1,7 +1,7 @@
 // Shading of G-buffers, and the visible background.
 #include "kernels/entry/entries.hpp"
-#include "kernels/light/cull.hpp"
 #include "kernels/light/environment.hpp"
+#include "kernels/shade/cull.hpp"
 #include "kernels/shade/tile.hpp"
 
 namespace tessera::TESSERA_ISA {

@@ -48,8 +48,8 @@ struct CoarseDepth {
   }
   /// Reads the block again.
   TESSERA_INLINE void refresh(const VisibilityTile& tile, int block, int samples) {
-    const float* first = tile.depth + block / block_columns * block_height * tile_size +
-                         block % block_columns * block_width;
+    const float* first =
+        tile.depth + block / block_columns * block_height * tile_size + block % block_columns * block_width;
     Float nearest = load<Float>(first);
     for (int s = 0; s < samples; ++s)
       for (int y = 0; y < block_height; ++y)

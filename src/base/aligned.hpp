@@ -1,5 +1,5 @@
-// Arrays that kernels read and write: 64-byte aligned, so that a plane starts on a cache line; large ones on huge pages,
-// where the system gives them to those who ask.
+// Arrays that kernels read and write: 64-byte aligned, so that a plane starts on a cache line; large ones on huge
+// pages, where the system gives them to those who ask.
 #pragma once
 #include <sys/mman.h>
 

@@ -12,7 +12,8 @@ void loop(std::size_t count, void (*body)(const void*, std::size_t), const void*
 /// Runs work inside an arena of `threads` threads (0: all cores); loops started by it use those.
 template <class Work>
 void run_with_threads(int threads, const Work& work) {
-  parallel_detail::run_with_threads(threads, [](const void* w) { (*static_cast<const Work*>(w))(); }, &work);
+  parallel_detail::run_with_threads(
+      threads, [](const void* w) { (*static_cast<const Work*>(w))(); }, &work);
 }
 
 /// body(i) for i in [0, count), in any order, on any thread. Each body runs with the default floating-point environment
