@@ -296,9 +296,13 @@ struct EnvironmentShading {
   bool specular_occlusion = false;  // occlusion of reflections by roughness and angle, not by occlusion alone
 };
 
-struct DfgView {        // directional albedo of the specular lobe: integral f = F0 A + F90 B
-  const float* texels;  // (A, B) pairs; texel i of row j is NoV = (i + 0.5) / size, r = (j + 0.5) / size
+// Directional albedo of the specular lobe: integral f = F0 A + F90 B. Plain: pairs (A, B), texel i of row j at NoV = (i
+// + 0.5) / size, r = (j + 0.5) / size. Warped: pairs and axes of DfgWarpedAxes (kernels/light/dfg_lookup.hpp), which
+// err a thousand times less between the nodes.
+struct DfgView {
+  const float* texels;
   int size;
+  bool warped = false;
 };
 
 enum ShadeFeature : std::uint32_t {  // what a set of fragments calls for; the smallest kernel that covers it is run

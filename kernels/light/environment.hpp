@@ -2,6 +2,7 @@
 // environment BRDF from its table.
 #pragma once
 #include "kernels/interface.hpp"
+#include "kernels/light/dfg_lookup.hpp"
 #include "kernels/math/vector.hpp"
 #include "kernels/simd.hpp"
 
@@ -236,8 +237,8 @@ template <class F>
 TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {
   using I = IntOf<F>;
   const F size = F(dfg.size), last = F(dfg.size - 1);
-  const F x = clamp(mul_sub(NoV, size, F(0.5)), F(0), last);
-  const F y = clamp(mul_sub(r, size, F(0.5)), F(0), last);
+  const DfgPosition<F> at = dfg.warped ? DfgWarpedAxes::position(NoV, r, size) : DfgLinearAxes::position(NoV, r, size);
+  const F x = clamp(at.x, F(0), last), y = clamp(at.y, F(0), last);
   const I i = truncate_to_int(min(x, F(dfg.size - 2))), j = truncate_to_int(min(y, F(dfg.size - 2)));
   const F w1 = x - to_float(i), v1 = y - to_float(j);
   const F w0 = F(1) - w1, v0 = F(1) - v1;
@@ -245,14 +246,16 @@ TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r
   return {above, above + I(dfg.size), v0 * w0, v0 * w1, v1 * w0, v1 * w1};
 }
 
+/// A and B from the four texels of a footprint.
 template <class F>
-TESSERA_INLINE void blend(const BilinearFootprint<F>& f, const DfgTexels<F>& above, const DfgTexels<F>& below, F& A,
-                          F& B) {
+TESSERA_INLINE EnvironmentBRDF<F> blend(const DfgView& dfg, F NoV, const BilinearFootprint<F>& f,
+                                        const DfgTexels<F>& above, const DfgTexels<F>& below) {
   const auto channel = [&](F a, F b, F c, F d) {
     return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
   };
-  A = channel(above.A0, above.A1, below.A0, below.A1);
-  B = channel(above.B0, above.B1, below.B0, below.B1);
+  const F first = channel(above.A0, above.A1, below.A0, below.A1);
+  const F second = channel(above.B0, above.B1, below.B0, below.B1);
+  return dfg.warped ? DfgWarpedAxes::value(first, second, NoV) : EnvironmentBRDF<F>{first, second};
 }
 
 /// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. Arguments as dfg_footprint.
@@ -260,7 +263,9 @@ template <class F>
 inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
   const BilinearFootprint<F> f = dfg_footprint(dfg, NoV, r);
   const DfgTexels<F> above = dfg_texels<F>(dfg, f.above), below = dfg_texels<F>(dfg, f.below);
-  blend(f, above, below, A, B);
+  const EnvironmentBRDF<F> brdf = blend(dfg, NoV, f, above, below);
+  A = brdf.A;
+  B = brdf.B;
 }
 
 }  // namespace

@@ -32,10 +32,10 @@ class EnvironmentLookups {
   }
 
   // After all gathers.
-  TESSERA_INLINE void environment_brdf(Float& A, Float& B) const {
+  TESSERA_INLINE EnvironmentBRDF<Float> environment_brdf(const DfgView& dfg, Float NoV) const {
     const auto texels = [&](int k) -> DfgTexels<Float> { return {word(k, 0), word(k, 1), word(k, 2), word(k, 3)}; };
     const DfgTexels<Float> above = texels(0), below = texels(1);
-    blend(dfg_, above, below, A, B);
+    return blend(dfg, NoV, dfg_, above, below);
   }
   TESSERA_INLINE Vec3<Float> specular() const {
     const auto texels = [&](int k) {

@@ -106,11 +106,11 @@ TESSERA_INLINE Vec3<F> shade_lights(const ShadingPoint<F>& p, const ShadeArgs& a
 
 /// Radiance towards the eye from the environment: Karis 2013's split sum with Fdez-Aguera 2019's compensation.
 TESSERA_INLINE Vec3<Float> shade_environment(const ShadingPoint<Float>& p, const EnvironmentLookups& lookups,
-                                             const EnvironmentView& environment) {
+                                             const EnvironmentView& environment, const DfgView& dfg) {
   using F = Float;
-  F A, B;
-  lookups.environment_brdf(A, B);
-  const EnvironmentSplit<F> split = multiple_scattering_FdezAguera(p.f0, A, B, schlick_weight(p.NoV), p.roughness);
+  const EnvironmentBRDF<F> brdf = lookups.environment_brdf(dfg, p.NoV);
+  const EnvironmentSplit<F> split =
+      multiple_scattering_FdezAguera(p.f0, brdf.A, brdf.B, schlick_weight(p.NoV), p.roughness);
   const Vec3<F> specular = lookups.specular();
   const Vec3<F> diffuse = irradiance(environment.irradiance_sh, p.n);
   const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n) {
@@ -160,7 +160,7 @@ inline void shade_tile(const ShadeArgs& args) {
         });
       }
       while (gathered < EnvironmentLookups::count) lookups.gather(gathered++);
-      radiance = radiance + shade_environment(point, lookups, args.environment);
+      radiance = radiance + shade_environment(point, lookups, args.environment, args.dfg);
     } else {
       if constexpr (Features & feature_lights) radiance = shade_lights(point, args, [] {});
       if constexpr (Features & feature_environment) radiance = radiance + shade_environment_options(point, args);

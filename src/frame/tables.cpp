@@ -9,7 +9,7 @@ namespace {
 
 // The table depends on nothing, not even on the instruction set that computes it: one for the whole process.
 const DfgTable& shared_dfg_table(const Kernels& kernels) {
-  static const DfgTable table = build_dfg_table(kernels);
+  static const DfgTable table = build_warped_dfg_table(kernels);
   return table;
 }
 

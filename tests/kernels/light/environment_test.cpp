@@ -311,5 +311,36 @@ TEST(SampleDfg, IsBilinearAndClampsToTheEdge) {
   EXPECT_EQ(b, float(texel(0, size - 1, 1)));
 }
 
+// The warped axes written out once more: u = s (1 + 2 r) / (s + 2 r) and root r, over loss and drop.
+TEST(SampleDfg, WarpedIsLossAndDropOnItsAxes) {
+  constexpr int size = 16;
+  std::vector<float> texels(size * size * 2);
+  std::mt19937 random(6);
+  for (float& value : texels) value = float(random() % 1000) / 1000;
+  const DfgView table{texels.data(), size, true};
+  const auto texel = [&](int i, int j, int c) { return double(texels[std::size_t((j * size + i) * 2 + c)]); };
+  for (double NoV = 1e-4; NoV <= 1; NoV += 1.0 / 97) {
+    for (double r = 1e-3; r <= 1; r += 1.0 / 89) {
+      double A = 0, B = 0;
+      sample_dfg(table, NoV, r, A, B);
+      const double s = std::sqrt(NoV), last = size - 1;
+      const double x = last * s * (1 + 2 * r) / (s + 2 * r), y = last * std::sqrt(r);
+      const int i = std::min(int(x), size - 2), j = std::min(int(y), size - 2);
+      const double wx = x - i, wy = y - j;
+      const auto read = [&](int c) {
+        return (texel(i, j, c) * (1 - wx) + texel(i + 1, j, c) * wx) * (1 - wy) +
+               (texel(i, j + 1, c) * (1 - wx) + texel(i + 1, j + 1, c) * wx) * wy;
+      };
+      const double expected_B = std::pow(1 - NoV, 5) - read(1), expected_A = 1 - read(0) - expected_B;
+      ASSERT_NEAR(A, expected_A, 1e-11) << NoV << " " << r;
+      ASSERT_NEAR(B, expected_B, 1e-11);
+      float a = 0, b = 0;
+      sample_dfg(table, float(NoV), float(r), a, b);
+      ASSERT_NEAR(double(a), expected_A, 2e-5);
+      ASSERT_NEAR(double(b), expected_B, 2e-5);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tessera::TESSERA_ISA
