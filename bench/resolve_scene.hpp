@@ -40,12 +40,12 @@ struct ResolveScene {
         triangles.push_back({{vertex(x, y), vertex(x, y + 1), vertex(x + 1, y)}, 0});
         triangles.push_back({{vertex(x + 1, y), vertex(x, y + 1), vertex(x + 1, y + 1)}, 0});
       }
-    for (int y = 0; y < tile_size; ++y)
-      for (int x = 0; x < tile_size; ++x) {
-        const int upper = (x % cell) + (y % cell) + 1 <= cell ? 0 : 1;
-        const auto triangle = std::uint32_t(2 * (y / cell * n + x / cell) + upper);
-        fragments.push_back({triangle, std::uint16_t(y * tile_size + x), 1});
-      }
+    for (int pixel = 0; pixel < tile_pixels; ++pixel) {
+      const int x = tile_pixel_x(pixel), y = tile_pixel_y(pixel);
+      const int upper = (x % cell) + (y % cell) + 1 <= cell ? 0 : 1;
+      const auto triangle = std::uint32_t(2 * (y / cell * n + x / cell) + upper);
+      fragments.push_back({triangle, std::uint16_t(pixel), 1});
+    }
     for (float& c : material.base_color) c = 1;
     material.metallic = material.roughness = material.normal_scale = material.occlusion_strength = 1;
     for (TextureSlotView* slot : {&material.base_color_texture, &material.metallic_roughness_texture,

@@ -20,6 +20,13 @@ namespace tessera {
 inline constexpr int max_lanes = 16;  // the widest vector of any instruction set, in floats
 inline constexpr int tile_size = 32;  // pixels along a tile's side
 inline constexpr int tile_pixels = tile_size * tile_size;
+
+// Pixels of a tile are numbered in blocks of 4 x 4: blocks in rows, and pixels in rows inside a block. A vector of any
+// width then holds pixels near each other, so that a triangle touches few vectors, and a vector's pixels see few
+// triangles and neighbouring texels.
+inline constexpr int tile_pixel(int x, int y) { return y / 4 * 128 + x / 4 * 16 + y % 4 * 4 + x % 4; }
+inline constexpr int tile_pixel_x(int pixel) { return (pixel >> 2 & 28) + (pixel & 3); }
+inline constexpr int tile_pixel_y(int pixel) { return (pixel >> 5 & 28) + (pixel >> 2 & 3); }
 inline constexpr int max_samples = 16;   // samples per pixel
 inline constexpr int subpixel_bits = 8;  // fixed-point window coordinates have 1/256 pixel
 inline constexpr int max_frame_size = 16384;
@@ -142,6 +149,11 @@ struct GeometryCounters {
   std::uint64_t in, outside, back_face, empty, clipped, kept;
 };
 
+// The tiles, by column and row, in which a set-up triangle's bounding box has samples.
+struct TouchedBox {
+  std::uint16_t first_column, last_column, first_row, last_row;  // all included
+};
+
 struct SetupTrianglesArgs {
   GeometryView geometry;
   ViewTransform view;
@@ -151,6 +163,7 @@ struct SetupTrianglesArgs {
   std::uint32_t first, count;        // range of triangles
   SetupTriangle* out;                // room for max_setup_per_triangle * count
   GeometryCounters* counters;        // added to
+  TouchedBox* touched = nullptr;     // of each triangle that is written, if wanted
 };
 inline constexpr int max_setup_per_triangle =
     8;  // a triangle clipped by near plane and guard band is a fan of at most this many
@@ -164,8 +177,8 @@ struct SamplePattern {
   std::int32_t x[max_samples], y[max_samples];
 };
 
-// Which triangle each sample of a tile sees. Sample planes one after another: index = s * tile_pixels + y * tile_size +
-// x.
+// Which triangle each sample of a tile sees. Sample planes one after another: index = s * tile_pixels +
+// tile_pixel(x, y).
 struct VisibilityTile {
   int x, y;           // pixel coordinates of its top-left corner, multiples of tile_size
   int width, height;  // visible part, at most tile_size
@@ -178,7 +191,7 @@ inline constexpr std::uint32_t no_triangle = 0xffffffffu;
 // A triangle's part of one pixel: the unit that is resolved and shaded, once.
 struct Fragment {  // 8 bytes
   std::uint32_t triangle;
-  std::uint16_t pixel;    // y * tile_size + x inside the tile
+  std::uint16_t pixel;    // tile_pixel(x, y)
   std::uint16_t samples;  // bit s: covers sample s
 };
 static_assert(sizeof(Fragment) == 8);
@@ -188,10 +201,11 @@ struct RasterizeArgs {
   const SetupTriangle* triangles;
   const std::uint32_t* list;  // indices into triangles, in submission order
   std::uint32_t count;
+  const GeometryView* fetch_ahead = nullptr;  // whose vertices to ask for, as resolve() reads them next
 };
 
 struct RasterCounters {
-  std::uint64_t samples_tested, samples_passed, blocks_rejected;
+  std::uint64_t samples_tested, samples_passed;
 };
 
 // Surface attributes of shaded fragments, SoA. Everything the shading kernels need, so a G-buffer from a file can be
@@ -344,10 +358,10 @@ struct CullLightsArgs {
 };
 
 struct StorePixelsArgs {     // opaque radiance -> pixels of a film
-  const float* radiance[3];  // width * height, rows one after another
-  int width, height;
-  float* rgba;             // of the first pixel; alpha becomes 1
-  std::size_t row_stride;  // in floats
+  const float* radiance[3];  // in blocks of 4 x 4 as in a tile, but width / 4 blocks in a row
+  int width, height;         // width: a multiple of 4
+  float* rgba;               // of the first pixel; alpha becomes 1
+  std::size_t row_stride;    // in floats
 };
 
 struct BackgroundArgs {           // radiance of the environment along pixel rays
@@ -480,8 +494,9 @@ struct Kernels {
   // entry/coverage.cpp
   SamplePattern (*sample_pattern)(int samples);
   void (*clear_visibility)(const VisibilityTile&);
-  void (*rasterize_opaque)(const RasterizeArgs&,
-                           RasterCounters*);  // nearest wins; equal depth: the lower triangle index
+  void (*rasterize_opaque)(
+      const RasterizeArgs&,
+      RasterCounters*);  // nearest wins; equal depth: the lower triangle index; counters may be null
   // Fragments of one triangle that pass the depth test, without writing depth; room for tile_pixels (* samples if
   // split).
   std::uint32_t (*collect_triangle)(const VisibilityTile&, const SetupTriangle&, bool split_samples, Fragment* out);

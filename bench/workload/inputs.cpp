@@ -59,6 +59,11 @@ Surroundings::Surroundings(const std::string& folder, const Kernels& kernels) : 
   dfg = {dfg_texels.data(), dfg_size};
 }
 
+// As StorePixelsArgs has it.
+static std::size_t store_order(int x, int y) {
+  return std::size_t(y / 4 * 4 * block_size + x / 4 * 16 + y % 4 * 4 + x % 4);
+}
+
 BlockedGBuffer::BlockedGBuffer(const std::string& folder) : values_(std::size_t{blocks_x} * blocks_y * block_floats) {
   float* const values = values_.data();
   const auto raw = read_exactly<float>(folder + "/w1_gbuffer.f32", std::size_t{planes} * width * height);
@@ -66,8 +71,7 @@ BlockedGBuffer::BlockedGBuffer(const std::string& folder) : values_(std::size_t{
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const std::size_t block = std::size_t(y / block_size) * blocks_x + std::size_t(x / block_size);
-        values[(block * planes + std::size_t(p)) * block_pixels +
-               std::size_t(y % block_size * block_size + x % block_size)] =
+        values[(block * planes + std::size_t(p)) * block_pixels + store_order(x % block_size, y % block_size)] =
             raw[(std::size_t(p) * height + std::size_t(y)) * width + std::size_t(x)];
       }
 }

@@ -2,8 +2,8 @@
 
 #include "kernels/entry/entries.hpp"
 #include "kernels/raster/fragments.hpp"
+#include "kernels/raster/list.hpp"
 #include "kernels/raster/pattern.hpp"
-#include "kernels/raster/tiny.hpp"
 
 namespace tessera::TESSERA_ISA {
 
@@ -21,12 +21,16 @@ void clear_visibility(const VisibilityTile& tile) {
 void rasterize_opaque(const RasterizeArgs& args, RasterCounters* counters) {
   const SamplePattern pattern = standard_pattern(args.tile.samples);
   const SampleExtent extent = sample_extent(pattern);
+  const auto draw = [&](const auto& counter) {
+    if (pattern.count == 1) {
+      rasterize_list<1>(args, pattern, extent, counter);
+    } else {
+      rasterize_list<0>(args, pattern, extent, counter);
+    }
+  };
+  if (counters == nullptr) return draw(CountNothing{});
   RasterCounters sum = *counters;
-  if (pattern.count == 1) {
-    rasterize_list<1>(args, pattern, extent, sum);
-  } else {
-    rasterize_list<0>(args, pattern, extent, sum);
-  }
+  draw(CountSamples{sum});
   *counters = sum;
 }
 

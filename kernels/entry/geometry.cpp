@@ -32,17 +32,17 @@ void project_vertices(const ViewTransform& view, const float* positions, std::ui
 
 std::uint32_t setup_triangles(const SetupTrianglesArgs& args) {
   const SamplePattern pattern = standard_pattern(args.samples);
+  const SampleExtent extent = sample_extent(pattern);
   args.counters->in += args.count;
   std::uint32_t written = 0;
   if (args.geometry.vertex_count > max_gathered_vertices) {
-    for (std::uint32_t i = 0; i < args.count; ++i) {
-      written += setup_one(args, pattern, args.first + i, args.out + written);
-    }
+    for (std::uint32_t i = 0; i < args.count; ++i)
+      written += setup_one_more(args, pattern, extent, args.first + i, written);
     return written;
   }
   for (std::uint32_t i = 0; i < args.count; i += std::uint32_t(Int::lanes)) {
     const int count = static_cast<int>(min(std::int64_t(args.count - i), std::int64_t(Int::lanes)));
-    written += setup_vector(args, pattern, args.first + i, count, args.out + written);
+    written += setup_vector(args, pattern, extent, args.first + i, count, written);
   }
   return written;
 }

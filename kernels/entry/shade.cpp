@@ -60,25 +60,25 @@ std::uint32_t cull_lights(const CullLightsArgs& args) {
 }
 
 void store_pixels(const StorePixelsArgs& args) {
+  constexpr int rows = Float::lanes / 4;  // a vector is 4 x rows pixels
   const Float one(1);
   // Pixels go to memory once and are not read again soon: whole lines past the caches, where rows lie on lines.
   const bool lines = reinterpret_cast<std::uintptr_t>(args.rgba) % 64 == 0 && args.row_stride % 16 == 0;
-  for (int y = 0; y < args.height; ++y) {
-    const std::size_t row = std::size_t(y) * std::size_t(args.width);
+  for (int y = 0; y < args.height; y += rows) {
     float* out = args.rgba + std::size_t(y) * args.row_stride;
-    int x = 0;
-    for (; x + Float::lanes <= args.width; x += Float::lanes) {
-      const Float pixel[4] = {load<Float>(args.radiance[0] + row + x), load<Float>(args.radiance[1] + row + x),
-                              load<Float>(args.radiance[2] + row + x), one};
-      if (lines) {
-        stream_quads(out + 4 * x, pixel);
+    for (int x = 0; x < args.width; x += 4, out += 16) {
+      const int at = y / 4 * 4 * args.width + 4 * x + y % 4 * 4;
+      const Float pixel[4] = {load<Float>(args.radiance[0] + at), load<Float>(args.radiance[1] + at),
+                              load<Float>(args.radiance[2] + at), one};
+      if (y + rows > args.height) {
+        float last[4 * Float::lanes];
+        store_quads(last, pixel);
+        for (int i = 0; i < 16 * (args.height - y); ++i) out[std::size_t(i / 16) * args.row_stride + i % 16] = last[i];
+      } else if (lines) {
+        stream_quads(out, args.row_stride, pixel);
       } else {
-        store_quads(out + 4 * x, pixel);
+        store_quads(out, args.row_stride, pixel);
       }
-    }
-    for (; x < args.width; ++x) {
-      for (int k = 0; k < 3; ++k) out[4 * x + k] = args.radiance[k][row + std::size_t(x)];
-      out[4 * x + 3] = 1;
     }
   }
   if (lines) end_streaming();

@@ -8,9 +8,6 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-inline constexpr int tile_shift = 5;
-static_assert(1 << tile_shift == tile_size);
-
 /// Means of sample positions, in pixels from a pixel's top-left corner.
 struct SampleMeans {
   std::uint32_t full;  // every sample of the pattern
@@ -27,15 +24,16 @@ inline SampleMeans sample_means(const SamplePattern& pattern) {
   return {(1u << pattern.count) - 1u, static_cast<float>(x) * scale, static_cast<float>(y) * scale};
 }
 
-inline constexpr int few_triangles = 4;
+/// Triangles whose vertices fit in two registers, a quad of floats at a time.
+inline constexpr int few_triangles = 2 * records_per_register;
 
 /// The lanes' fragments, the points at which they are shaded, and the vertices of their triangles.
 struct FragmentLanes {
   Float x, y;  // pixels, in the window
   // Where lanes see few different triangles, those triangles' vertices are read once each and spread over the lanes.
-  int triangles;                           // 1 to few_triangles; 0: more, gather by `vertex`
-  std::uint32_t shared[few_triangles][3];  // vertices of each
-  Mask sees[few_triangles];                // lanes
+  int registers;                         // 1 or 2 registers hold them; 0: more triangles, gather by `vertex`
+  std::size_t shared[3][few_triangles];  // the triangles' vertices
+  Int place4;                            // as in DistinctLanes
   Int vertex[3];
 };
 
@@ -75,84 +73,60 @@ TESSERA_INLINE FragmentLanes load_fragments(const Args& args, const SampleMeans&
   FragmentLanes f;
   Float mean_x, mean_y;
   mean_of_samples(args.pattern, means, shift_right_logical(pixel_samples, 16), mean_x, mean_y);
-  f.x = to_float(Int(args.tile_x) + (pixel & Int(tile_size - 1))) + mean_x;
-  f.y = to_float(Int(args.tile_y) + shift_right_logical(pixel, tile_shift)) + mean_y;
+  // tile_pixel_x() and tile_pixel_y().
+  const Int x = (shift_right_logical(pixel, 2) & Int(28)) + (pixel & Int(3));
+  const Int y = (shift_right_logical(pixel, 5) & Int(28)) + (shift_right_logical(pixel, 2) & Int(3));
+  f.x = to_float(Int(args.tile_x) + x) + mean_x;
+  f.y = to_float(Int(args.tile_y) + y) + mean_y;
 
   const Triangle* triangles = args.geometry.triangles;
-  f.triangles = 0;
-  std::uint32_t unseen = to_bits(Mask(true));
-  for (int n = 0; n < few_triangles; ++n) {
-    const std::uint32_t of_lane = fragments[__builtin_ctz(unseen)].triangle;
-    f.sees[n] = triangle == Int(of_lane);
-    for (int i = 0; i < 3; ++i) f.shared[n][i] = triangles[of_lane].vertex[i];
-    unseen &= ~to_bits(f.sees[n]);
-    if (unseen == 0) {
-      f.triangles = n + 1;
-      return f;
+  DistinctLanes different;
+  find_distinct(triangle, different);
+  f.registers = different.count <= records_per_register ? 1 : different.count <= few_triangles ? 2 : 0;
+  if (f.registers != 0) {
+    f.place4 = different.place4;
+    const int read = f.registers * records_per_register;  // beyond the count, triangle 0: there is one
+    for (int n = 0; n < read; ++n) {
+      const Triangle& t = triangles[static_cast<std::uint32_t>(different.values[n])];
+      for (int i = 0; i < 3; ++i) f.shared[i][n] = t.vertex[i];
+      asm("" : "+m"(f.shared));
     }
+    return f;
   }
+  f.registers = 0;
   Float record[4];
   gather_quads(reinterpret_cast<const float*>(triangles), triangle << 2, record);
   for (int i = 0; i < 3; ++i) f.vertex[i] = bits(record[i]);
   return f;
 }
 
-/// `size` floats of vertex i of the lanes' triangles, of which there are n: records of `stride` floats at base.
-template <int n, int size>
-TESSERA_INLINE void spread_few(const FragmentLanes& f, const float* base, std::size_t stride, int i,
-                               Float (&out)[size]) {
-  const float* at[n];
-  for (int k = 0; k < n; ++k) at[k] = base + f.shared[k][i] * stride;
-  for (int c = 0; c < size; ++c) {
-    out[c] = Float(at[0][c]);
-    for (int k = 1; k < n; ++k) out[c] = select(f.sees[k], Float(at[k][c]), out[c]);
+/// Words `offset` on, `size` of them (three, or a multiple of four), of vertex i of the lanes' triangles: records of
+/// `stride` floats at base. registers: what f says.
+template <int registers, int stride, int size>
+TESSERA_INLINE void fetch_words(const FragmentLanes& f, const float* base, int offset, int i, Float (&out)[size]) {
+  if constexpr (registers == 0) {
+    if constexpr (size == 3)
+      gather_triples(base + offset, f.vertex[i] * Int(stride), out);
+    else
+      gather_quads(base + offset, f.vertex[i] * Int(stride), out);
+  } else {
+    const float* record[few_triangles];
+    for (int n = 0; n < registers * records_per_register; ++n) record[n] = base + offset + f.shared[i][n] * stride;
+    spread_records<registers>(record, f.place4, out);
   }
 }
-
-template <int size>
-TESSERA_INLINE void spread_records(const FragmentLanes& f, const float* base, std::size_t stride, int i,
-                                   Float (&out)[size]) {
-  static_assert(few_triangles == 4);
-  if (f.triangles == 1) return spread_few<1>(f, base, stride, i, out);
-  if (f.triangles == 2) return spread_few<2>(f, base, stride, i, out);
-  if (f.triangles == 3) return spread_few<3>(f, base, stride, i, out);
-  spread_few<4>(f, base, stride, i, out);
-}
-
-/// What later fragments read, fetched while earlier ones are worked on: triangles some vectors ahead, their vertices a
-/// vector ahead. Neighbours mostly see the same triangle.
-TESSERA_INLINE void prefetch_fragments(const ResolveArgs& args, std::uint32_t at) {
-  constexpr auto lanes = std::uint32_t(Int::lanes);
-  constexpr std::uint32_t far = lanes >= 16 ? 3 * lanes : 48, near = lanes >= 16 ? lanes : 16;
-  const auto changes = [&](std::uint32_t begin) {  // lanes whose triangle is not that of the fragment before
-    if (begin + lanes > args.count) return 0u;
-    const Int here = load_pairs(args.fragments + begin).low, before = load_pairs(args.fragments + begin - 1).low;
-    return to_bits(here != before);
-  };
-  for (std::uint32_t left = changes(at + far); left != 0; left &= left - 1)
-    __builtin_prefetch(args.geometry.triangles + args.fragments[at + far + __builtin_ctz(left)].triangle);
-  for (std::uint32_t left = changes(at + near); left != 0; left &= left - 1) {
-    const Triangle& triangle = args.geometry.triangles[args.fragments[at + near + __builtin_ctz(left)].triangle];
-    for (const std::uint32_t vertex : triangle.vertex) {
-      if (args.geometry.surfaces != nullptr) {
-        __builtin_prefetch(args.geometry.surfaces + vertex);
-        __builtin_prefetch(reinterpret_cast<const char*>(args.geometry.surfaces + vertex + 1) - 1);
-      } else {
-        __builtin_prefetch(args.geometry.positions + std::size_t{3} * vertex);
-        __builtin_prefetch(args.geometry.attributes + vertex);
-      }
-    }
-  }
+/// The same, registers as f says.
+template <int stride, int size>
+TESSERA_INLINE void fetch_any_words(const FragmentLanes& f, const float* base, int offset, int i, Float (&out)[size]) {
+  if (f.registers == 1) return fetch_words<1, stride>(f, base, offset, i, out);
+  if (f.registers == 2) return fetch_words<2, stride>(f, base, offset, i, out);
+  fetch_words<0, stride>(f, base, offset, i, out);
 }
 
 TESSERA_INLINE void fetch_positions(const GeometryView& geometry, const FragmentLanes& f, Vec3<Float> (&p)[3]) {
   for (int i = 0; i < 3; ++i) {
     Float at[3];
-    if (f.triangles != 0) {
-      spread_records(f, geometry.positions, 3, i, at);
-    } else {
-      gather_triples(geometry.positions, f.vertex[i] * Int(3), at);
-    }
+    fetch_any_words<3>(f, geometry.positions, 0, i, at);
     p[i] = {at[0], at[1], at[2]};
   }
 }
@@ -163,21 +137,15 @@ static_assert(offsetof(VertexAttributes, tangent) == tangent_offset * sizeof(flo
 static_assert(offsetof(VertexAttributes, uv) == uv_offset * sizeof(float));
 static_assert(offsetof(VertexAttributes, color) == color_offset * sizeof(float));
 
-/// `size` floats (at most four) from `offset` on, of the three vertices.
+/// `size` floats (at most four) from `offset` on, of the three vertices. No offset is so far back that four floats
+/// would leave the vertex.
 template <int size>
 inline void fetch_attribute(const GeometryView& geometry, const FragmentLanes& f, int offset, Float (&out)[size][3]) {
   constexpr int stride = sizeof(VertexAttributes) / sizeof(float);
-  const float* base = geometry.attributes->normal + offset;
   for (int i = 0; i < 3; ++i) {
-    if (f.triangles != 0) {
-      Float at[size];
-      spread_records(f, base, stride, i, at);
-      for (int c = 0; c < size; ++c) out[c][i] = at[c];
-    } else {
-      Float record[4];  // no offset is so far back that four floats would leave the vertex
-      gather_quads(base, f.vertex[i] * Int(stride), record);
-      for (int c = 0; c < size; ++c) out[c][i] = record[c];
-    }
+    Float at[4];
+    fetch_any_words<stride>(f, geometry.attributes->normal, offset, i, at);
+    for (int c = 0; c < size; ++c) out[c][i] = at[c];
   }
 }
 
@@ -188,30 +156,6 @@ inline void interpolate_attribute(const GeometryView& geometry, const FragmentLa
   Float corners[size][3];
   fetch_attribute(geometry, f, offset, corners);
   for (int c = 0; c < size; ++c) out[c] = interpolate(b, corners[c][0], corners[c][1], corners[c][2]);
-}
-
-/// The three vertices, twelve floats each: SurfaceVertex's members in order.
-struct SurfaceCorners {
-  Float vertex[3][12];
-};
-static_assert(offsetof(SurfaceVertex, normal) == 3 * sizeof(float));
-static_assert(offsetof(SurfaceVertex, base_color) == 6 * sizeof(float));
-static_assert(offsetof(SurfaceVertex, metallic) == 9 * sizeof(float));
-
-TESSERA_INLINE void fetch_surfaces(const GeometryView& geometry, const FragmentLanes& f, SurfaceCorners& out) {
-  constexpr int size = 12;
-  const float* base = geometry.surfaces->position;
-  for (int i = 0; i < 3; ++i) {
-    if (f.triangles != 0) {
-      spread_records(f, base, size, i, out.vertex[i]);
-    } else {
-      gather_quads(base, f.vertex[i] * Int(size), out.vertex[i]);
-    }
-  }
-}
-
-TESSERA_INLINE Float interpolate(const SurfaceCorners& corners, const Barycentrics<Float>& b, int word) {
-  return interpolate(b, corners.vertex[0][word], corners.vertex[1][word], corners.vertex[2][word]);
 }
 
 }  // namespace

@@ -5,6 +5,25 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
+/// The fragments of a vector of pixels, of which lanes see these samples.
+TESSERA_INLINE std::uint32_t lane_fragments(std::uint32_t triangle, int first, Int samples, bool split, Fragment* out) {
+  std::uint32_t count = 0, left = to_bits(samples != Int(0));
+  if (left == 0) return 0;
+  alignas(64) std::int32_t lane_samples[Int::lanes];
+  store(lane_samples, samples);
+  for (; left != 0; left &= left - 1) {
+    const int i = __builtin_ctz(left);
+    const auto pixel = static_cast<std::uint16_t>(first + i);
+    auto bits = static_cast<std::uint32_t>(lane_samples[i]);
+    if (!split) {
+      out[count++] = {triangle, pixel, static_cast<std::uint16_t>(bits)};
+      continue;
+    }
+    for (; bits != 0; bits &= bits - 1) out[count++] = {triangle, pixel, static_cast<std::uint16_t>(bits & -bits)};
+  }
+  return count;
+}
+
 /// A triangle's fragments that pass the depth test, pixels ascending, samples ascending in a pixel if split.
 inline std::uint32_t triangle_fragments(const VisibilityTile& tile, const SetupTriangle& triangle,
                                         const SamplePattern& pattern, bool split, Fragment* out) {
@@ -15,38 +34,25 @@ inline std::uint32_t triangle_fragments(const VisibilityTile& tile, const SetupT
   const BlockMasks blocks = classify_blocks(edges, box);
   const TriangleInTile t(tile, triangle, pattern, edges);
   std::uint32_t count = 0;
-  for (int y = box.y0; y <= box.y1; ++y) {
-    for (int x = box.x0 & -Float::lanes; x <= box.x1; x += Float::lanes) {
-      const int block = y / block_height * block_columns + x / block_width;
+  const int x_first = box.x0 & -vector_width, y_first = box.y0 & -block_height;
+  for (int block_y = y_first; block_y <= box.y1; block_y += block_height) {
+    for (int x = x_first; x <= box.x1; x += vector_width) {
+      const int block = block_y / block_height * block_columns + x / block_width;
       if ((blocks.alive >> block & 1) == 0) continue;
       const bool inside = (blocks.inside >> block & 1) != 0;
-      const Mask visible = t.lane < Int(tile.width - x);
-      Int samples(0);
-      for (int s = 0; s < pattern.count; ++s) {
-        const Mask covered =
-            inside ? visible : visible & ((t.edge(0, x, y, s) | t.edge(1, x, y, s) | t.edge(2, x, y, s)) >= Int(0));
-        if (none(covered)) continue;
-        const std::size_t offset = std::size_t(s) * tile_pixels + std::size_t(y) * tile_size + std::size_t(x);
-        const Float depth = t.depth(t.along_x(x, s), y, s);
-        const Mask pass =
-            depth_test(covered, depth, load<Float>(tile.depth + offset), tile.triangle + offset, triangle.triangle);
-        samples |= select(pass, Int(1 << s), Int(0));
-      }
-      std::uint32_t left = to_bits(samples != Int(0));
-      if (left == 0) continue;
-      alignas(64) std::int32_t lane_samples[Int::lanes];
-      store(lane_samples, samples);
-      for (; left != 0; left &= left - 1) {
-        const int i = __builtin_ctz(left);
-        const auto pixel = static_cast<std::uint16_t>(y * tile_size + x + i);
-        auto bits = static_cast<std::uint32_t>(lane_samples[i]);
-        if (!split) {
-          out[count++] = {triangle.triangle, pixel, static_cast<std::uint16_t>(bits)};
-          continue;
+      for (int y = block_y; y < block_y + block_height; y += vector_height) {
+        const Mask visible = t.visible(x, y);
+        const int first = tile_pixel(x, y);
+        Int samples(0);
+        for (int s = 0; s < pattern.count; ++s) {
+          const Mask covered = inside ? visible : visible & t.covered(x, y, s);
+          if (none(covered)) continue;
+          const std::size_t offset = std::size_t(s) * tile_pixels + std::size_t(first);
+          const Mask pass = depth_test(covered, t.depth(x, y, s), load<Float>(tile.depth + offset),
+                                       tile.triangle + offset, triangle.triangle);
+          samples |= select(pass, Int(1 << s), Int(0));
         }
-        for (; bits != 0; bits &= bits - 1) {
-          out[count++] = {triangle.triangle, pixel, static_cast<std::uint16_t>(bits & -bits)};
-        }
+        count += lane_fragments(triangle.triangle, first, samples, split, out + count);
       }
     }
   }
@@ -60,7 +66,7 @@ inline void write_fragments(const VisibilityTile& tile, const SetupTriangle& tri
   const DepthPlane<float> plane(triangle);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (keep[i] == 0) continue;
-    const int pixel = fragments[i].pixel, x = pixel % tile_size, y = pixel / tile_size;
+    const int pixel = fragments[i].pixel, x = tile_pixel_x(pixel), y = tile_pixel_y(pixel);
     for (std::uint32_t left = fragments[i].samples; left != 0; left &= left - 1) {
       const int s = __builtin_ctz(left);
       const float along = plane.along_x(from_vertex(tile.x << subpixel_bits, x, pattern.x[s], triangle.x[0]));
@@ -81,17 +87,20 @@ inline std::uint32_t visible_single(const VisibilityTile& tile, Fragment* out) {
   std::uint32_t count = 0;
   alignas(64) std::int32_t pixels[Int::lanes], triangles[Int::lanes];
   const auto* plane = reinterpret_cast<const std::int32_t*>(tile.triangle);
-  for (int y = 0; y < tile.height; ++y) {
-    for (int x = 0; x < tile.width; x += Int::lanes) {
-      const int first = y * tile_size + x;
-      const Int triangle = load_int<Int>(plane + first);
-      const Mask seen = triangle != Int(no_triangle);
-      if (none(seen)) continue;
-      const int n = compress_store(triangles, triangle, seen);
-      compress_store(pixels, lane_index() + Int(first), seen);
-      for (int i = 0; i < n; ++i) {
-        out[count++] = {std::uint32_t(triangles[i]), static_cast<std::uint16_t>(pixels[i]), 1};
-      }
+  for (int first = 0; first < tile_pixels; first += Int::lanes) {  // what lies outside of the visible part is empty
+    const Int triangle = load_int<Int>(plane + first);
+    const Mask seen = triangle != Int(no_triangle);
+    if (none(seen)) continue;
+    if (all(seen)) {  // a Fragment is two words: the triangle, and the pixel below the samples
+      static_assert(offsetof(Fragment, pixel) == 4 && offsetof(Fragment, samples) == 6);
+      store_pairs(out + count, triangle, lane_index() + Int(first + (1 << 16)));
+      count += std::uint32_t(Int::lanes);
+      continue;
+    }
+    const int n = compress_store(triangles, triangle, seen);
+    compress_store(pixels, lane_index() + Int(first), seen);
+    for (int i = 0; i < n; ++i) {
+      out[count++] = {std::uint32_t(triangles[i]), static_cast<std::uint16_t>(pixels[i]), 1};
     }
   }
   return count;
@@ -118,20 +127,17 @@ inline std::uint32_t visible_multi(const VisibilityTile& tile, Fragment* out) {
   std::uint32_t count = 0;
   const auto all_samples = static_cast<std::uint16_t>((1u << tile.samples) - 1);
   const auto* plane = reinterpret_cast<const std::int32_t*>(tile.triangle);
-  for (int y = 0; y < tile.height; ++y) {
-    for (int x = 0; x < tile.width; x += Int::lanes) {
-      const int first = y * tile_size + x;
-      const Int triangle = load_int<Int>(plane + first);
-      Mask same(true);
-      for (int s = 1; s < tile.samples; ++s) same &= load_int<Int>(plane + s * tile_pixels + first) == triangle;
-      const std::uint32_t uniform = to_bits(same), empty = to_bits(triangle == Int(no_triangle)) & uniform;
-      for (std::uint32_t left = to_bits(Mask(true)) & ~empty; left != 0; left &= left - 1) {
-        const int pixel = first + __builtin_ctz(left);
-        if ((uniform & left & -left) != 0) {
-          out[count++] = {tile.triangle[pixel], static_cast<std::uint16_t>(pixel), all_samples};
-        } else {
-          count += pixel_fragments(tile, pixel, out + count);
-        }
+  for (int first = 0; first < tile_pixels; first += Int::lanes) {
+    const Int triangle = load_int<Int>(plane + first);
+    Mask same(true);
+    for (int s = 1; s < tile.samples; ++s) same &= load_int<Int>(plane + s * tile_pixels + first) == triangle;
+    const std::uint32_t uniform = to_bits(same), empty = to_bits(triangle == Int(no_triangle)) & uniform;
+    for (std::uint32_t left = to_bits(Mask(true)) & ~empty; left != 0; left &= left - 1) {
+      const int pixel = first + __builtin_ctz(left);
+      if ((uniform & left & -left) != 0) {
+        out[count++] = {tile.triangle[pixel], static_cast<std::uint16_t>(pixel), all_samples};
+      } else {
+        count += pixel_fragments(tile, pixel, out + count);
       }
     }
   }

@@ -106,7 +106,6 @@ inline void resolve_run(const ResolveArgs& args) {
   MaterialSamplers samplers;
   if constexpr (textured) prepare_samplers(material, slot_count, samplers);
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
-    prefetch_fragments(args, at);
     const FragmentLanes f = load_fragments(args, means, at);
     Vec3<Float> corners[3];
     fetch_positions(args.geometry, f, corners);
@@ -124,30 +123,57 @@ inline void resolve_run(const ResolveArgs& args) {
   }
 }
 
+/// A vector of fragments on SurfaceVertex; registers: as in FragmentLanes. The vertices' thirty-six floats would not
+/// stay in registers: the position's quad comes first, then the rest, a vertex at a time.
+template <int registers>
+TESSERA_INLINE void resolve_surface(const ResolveArgs& args, const FragmentLanes& f, std::uint32_t at) {
+  constexpr int stride = sizeof(SurfaceVertex) / sizeof(float), first = 4;
+  const float* const base = args.geometry.surfaces->position;
+  Float quad[3][first];
+  for (int i = 0; i < 3; ++i) fetch_words<registers, stride>(f, base, 0, i, quad[i]);
+  Vec3<Float> corners[3];
+  for (int i = 0; i < 3; ++i) corners[i] = {quad[i][0], quad[i][1], quad[i][2]};
+  const Barycentrics<Float> b = barycentrics(args.view, corners, f.x, f.y);
+  resolve_position(args, b, corners, at);
+
+  Float word[stride] = {};
+  word[3] = interpolate(b, quad[0][3], quad[1][3], quad[2][3]);
+  const Float weight[3] = {b.b0, b.b1, b.b2};
+  for (int i = 0; i < 3; ++i) {  // as interpolate()
+    Float rest[stride - first];
+    fetch_words<registers, stride>(f, base, first, i, rest);
+    for (int k = 0; k < stride - first; ++k) {
+      if (i == 0)
+        word[first + k] = weight[0] * rest[k];
+      else
+        word[first + k] = mul_add(weight[i], rest[k], word[first + k]);
+    }
+  }
+  store_normal(args, unit_normal({word[3], word[4], word[5]}, corners), b, at);
+  const MaterialView& m = *args.material;
+  const Float color[4] = {Float(m.base_color[0]) * word[6], Float(m.base_color[1]) * word[7],
+                          Float(m.base_color[2]) * word[8], Float(m.base_color[3])};
+  const Float glow[3] = {Float(m.emissive[0]), Float(m.emissive[1]), Float(m.emissive[2])};
+  const Float open = word[11] - Float(1);
+  const SurfaceScalars scalars{Float(m.metallic) * word[9], Float(m.roughness) * word[10],
+                               mul_add(Float(m.occlusion_strength), open, Float(1))};
+  store_material(args, color, scalars, glow, at);
+}
+static_assert(offsetof(SurfaceVertex, normal) == 3 * sizeof(float));
+static_assert(offsetof(SurfaceVertex, base_color) == 6 * sizeof(float));
+static_assert(offsetof(SurfaceVertex, metallic) == 9 * sizeof(float));
+
 /// A run of fragments on SurfaceVertex.
 inline void resolve_surface_run(const ResolveArgs& args) {
-  const MaterialView& material = *args.material;
   const SampleMeans means = sample_means(args.pattern);
   for (std::uint32_t at = 0; at < args.count; at += Float::lanes) {
-    prefetch_fragments(args, at);
     const FragmentLanes f = load_fragments(args, means, at);
-    SurfaceCorners v;
-    fetch_surfaces(args.geometry, f, v);
-    Vec3<Float> corners[3];
-    for (int i = 0; i < 3; ++i) corners[i] = {v.vertex[i][0], v.vertex[i][1], v.vertex[i][2]};
-    const Barycentrics<Float> b = barycentrics(args.view, corners, f.x, f.y);
-    resolve_position(args, b, corners, at);
-    const Vec3<Float> raw{interpolate(v, b, 3), interpolate(v, b, 4), interpolate(v, b, 5)};
-    store_normal(args, unit_normal(raw, corners), b, at);
-    Float color[4];
-    for (int c = 0; c < 3; ++c) color[c] = Float(material.base_color[c]) * interpolate(v, b, 6 + c);
-    color[3] = Float(material.base_color[3]);
-    const Float glow[3] = {Float(material.emissive[0]), Float(material.emissive[1]), Float(material.emissive[2])};
-    const Float open = interpolate(v, b, 11) - Float(1);
-    const SurfaceScalars scalars{Float(material.metallic) * interpolate(v, b, 9),
-                                 Float(material.roughness) * interpolate(v, b, 10),
-                                 mul_add(Float(material.occlusion_strength), open, Float(1))};
-    store_material(args, color, scalars, glow, at);
+    if (f.registers == 1)
+      resolve_surface<1>(args, f, at);
+    else if (f.registers == 2)
+      resolve_surface<2>(args, f, at);
+    else
+      resolve_surface<0>(args, f, at);
   }
 }
 

@@ -1,6 +1,7 @@
 // Triangles in window coordinates -> SetupTriangle: culling, orientation, depth plane.
 #pragma once
 #include "kernels/raster/clip.hpp"
+#include "kernels/raster/edges.hpp"
 #include "kernels/raster/pattern.hpp"
 
 namespace tessera::TESSERA_ISA {
@@ -181,6 +182,18 @@ inline std::uint32_t setup_one(const SetupTrianglesArgs& args, const SamplePatte
   *out = setup_triangle(a, b, c, area, index);
   ++counters.kept;
   return 1;
+}
+
+inline TouchedBox touched_box(const SetupTriangle& t, const SampleExtent& extent, const ViewTransform& view) {
+  const std::int32_t x_min = least(least(t.x[0], t.x[1]), t.x[2]), x_max = greatest(greatest(t.x[0], t.x[1]), t.x[2]);
+  const std::int32_t y_min = least(least(t.y[0], t.y[1]), t.y[2]), y_max = greatest(greatest(t.y[0], t.y[1]), t.y[2]);
+  const auto tile = [](std::int32_t pixel, int size) {
+    return static_cast<std::uint16_t>(least(greatest(pixel, 0), size - 1) / tile_size);
+  };
+  return {tile((x_min - extent.x_max + 255) >> subpixel_bits, view.width),
+          tile((x_max - extent.x_min - 1) >> subpixel_bits, view.width),
+          tile((y_min - extent.y_max + 255) >> subpixel_bits, view.height),
+          tile((y_max - extent.y_min - 1) >> subpixel_bits, view.height)};
 }
 
 }  // namespace

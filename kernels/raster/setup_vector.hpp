@@ -99,9 +99,38 @@ struct SetupLanes {
   }
 };
 
-/// Triangles first to first + count, at most a vector of them. Returns how many were written.
+/// TouchedBox of each lane, as touched_box().
+struct TouchedLanes {
+  TouchedBox lane[Int::lanes];
+
+  TESSERA_INLINE void fill(const BoxLanes& box, const SampleExtent& extent, const ViewTransform& view) {
+    const auto tile = [](Int pixel, int size) {
+      static_assert(tile_size == 1 << 5);
+      return clamp(pixel, Int(0), Int(size - 1)) >> 5;
+    };
+    const Int x0 = tile((box.x_min + Int(255 - extent.x_max)) >> subpixel_bits, view.width);
+    const Int x1 = tile((box.x_max - Int(extent.x_min + 1)) >> subpixel_bits, view.width);
+    const Int y0 = tile((box.y_min + Int(255 - extent.y_max)) >> subpixel_bits, view.height);
+    const Int y1 = tile((box.y_max - Int(extent.y_min + 1)) >> subpixel_bits, view.height);
+    static_assert(sizeof(TouchedBox) == 8);
+    store_pairs(lane, x0 | (x1 << 16), y0 | (y1 << 16));
+  }
+};
+
+/// setup_one() of triangle `index`, behind what is written already.
+inline std::uint32_t setup_one_more(const SetupTrianglesArgs& args, const SamplePattern& pattern,
+                                    const SampleExtent& extent, std::uint32_t index, std::uint32_t written) {
+  const std::uint32_t pieces = setup_one(args, pattern, index, args.out + written);
+  if (args.touched != nullptr)
+    for (std::uint32_t i = written; i < written + pieces; ++i)
+      args.touched[i] = touched_box(args.out[i], extent, args.view);
+  return pieces;
+}
+
+/// Triangles first to first + count, at most a vector of them, behind what is written already. Returns how many were.
 TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const SamplePattern& pattern,
-                                          std::uint32_t first, int count, SetupTriangle* out) {
+                                          const SampleExtent& extent, std::uint32_t first, int count,
+                                          std::uint32_t before) {
   const Triangle* triangles = args.geometry.triangles + first;
   const Mask active = first_lanes(count);
   Float record[4];
@@ -150,17 +179,22 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
   counters.kept += kept_count;
 
   SetupLanes lanes;
-  if (kept_lanes != 0) lanes.fill(t, turned, area, Int(first) + lane_index());
-  std::uint32_t written = 0;
+  TouchedLanes touched;
+  if (kept_lanes != 0) {
+    lanes.fill(t, turned, area, Int(first) + lane_index());
+    touched.fill({x_min, x_max, y_min, y_max}, extent, args.view);
+  }
+  std::uint32_t written = before;
   for (std::uint32_t left = kept_lanes | to_bits(candidates & !fits); left != 0; left &= left - 1) {
     const int i = __builtin_ctz(left);
     if ((kept_lanes >> i & 1) != 0) {
-      out[written++] = lanes.lane[i];
+      if (args.touched != nullptr) args.touched[written] = touched.lane[i];
+      args.out[written++] = lanes.lane[i];
     } else {
-      written += setup_one(args, pattern, first + std::uint32_t(i), out + written);
+      written += setup_one_more(args, pattern, extent, first + std::uint32_t(i), written);
     }
   }
-  return written;
+  return written - before;
 }
 
 }  // namespace

@@ -107,6 +107,9 @@ TESSERA_INLINE int compress_store(std::int32_t* p, __m256i x, __m256 m) {
   return count;
 }
 
+TESSERA_INLINE __m128 load_quad(const float* p) { return _mm_loadu_ps(p); }
+TESSERA_INLINE __m128 load_triple(const float* p) { return _mm_maskload_ps(p, _mm_setr_epi32(-1, -1, -1, 0)); }
+
 // Records of four words, lane by lane -> one vector per word. a to d hold the records of lanes 4k to 4k + 3 in their
 // k-th half.
 TESSERA_INLINE void transpose_quads(__m256 a, __m256 b, __m256 c, __m256 d, __m256 (&out)[4]) {
@@ -141,39 +144,76 @@ TESSERA_INLINE void gather_records(const float* base, __m256i words, const Load&
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m256* out) {
   gather_records<quads>(
-      base, word, [](const float* p) { return _mm_loadu_ps(p); }, out);
+      base, word, [](const float* p) { return load_quad(p); }, out);
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256* out) {
   gather_records<quads>(
-      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+      base, words, [](const float* p) { return load_quad(p); }, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, __m256i words, __m256* out) {
-  const __m128i three = _mm_setr_epi32(-1, -1, -1, 0);
   gather_records<1>(
-      base, words, [=](const float* p) { return _mm_maskload_ps(p, three); }, out);
+      base, words, [](const float* p) { return load_triple(p); }, out);
+}
+// The different values in order of first appearance, if there are at most four, and each lane's place among them.
+inline constexpr int most_distinct = 4;
+TESSERA_INLINE int distinct(__m256i x, std::int32_t* values, __m256i& place) {
+  alignas(32) std::int32_t lanes[8];
+  _mm256_store_si256(reinterpret_cast<__m256i*>(lanes), x);
+  std::uint32_t unseen = 0xff;
+  int count = 0;
+  place = _mm256_setzero_si256();
+  for (int i = 0; i < most_distinct; ++i) values[i] = 0;
+  for (; unseen != 0 && count < most_distinct; ++count) {
+    values[count] = lanes[__builtin_ctz(unseen)];
+    const __m256i same = _mm256_cmpeq_epi32(x, _mm256_set1_epi32(values[count]));
+    place = _mm256_or_si256(place, _mm256_and_si256(same, _mm256_set1_epi32(count)));
+    unseen &= ~static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(same)));
+  }
+  return unseen == 0 ? count : count + 1;
+}
+// Records of four words, at most two or four of them -> one vector per word; place4: four times the lane's record.
+inline constexpr int records_per_register = 2;
+template <class Load>
+TESSERA_INLINE __m256 two_records(const float* const* record, const Load& load) {
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(load(record[0])), load(record[1]), 1);
+}
+template <class Load>
+TESSERA_INLINE void spread_one(const float* const* record, __m256i place4, const Load& load, __m256 (&out)[4]) {
+  const __m256 records = two_records(record, load);
+  for (int i = 0; i < 4; ++i)
+    out[i] = _mm256_permutevar8x32_ps(records, _mm256_add_epi32(place4, _mm256_set1_epi32(i)));
+}
+template <class Load>
+TESSERA_INLINE void spread_two(const float* const* record, __m256i place4, const Load& load, __m256 (&out)[4]) {
+  const __m256 low = two_records(record, load), high = two_records(record + 2, load);
+  const __m256 second = _mm256_castsi256_ps(_mm256_slli_epi32(place4, 28));  // its sign: place 2 or 3
+  for (int i = 0; i < 4; ++i) {
+    const __m256i lane = _mm256_add_epi32(place4, _mm256_set1_epi32(i));
+    out[i] = _mm256_blendv_ps(_mm256_permutevar8x32_ps(low, lane), _mm256_permutevar8x32_ps(high, lane), second);
+  }
 }
 TESSERA_INLINE void load_quads(const float* p, __m256 (&out)[4]) {
   transpose_quads(_mm256_loadu_ps(p), _mm256_loadu_ps(p + 8), _mm256_loadu_ps(p + 16), _mm256_loadu_ps(p + 24), out);
   const __m256i lane = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
   for (__m256& x : out) x = _mm256_permutevar8x32_ps(x, lane);
 }
-TESSERA_INLINE void store_quads(float* p, const __m256 (&in)[4]) {
+TESSERA_INLINE void store_quads(float* p, std::size_t row_stride, const __m256 (&in)[4]) {
   const __m256i lane = _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7);
   __m256 mixed[4], record[4];
   for (int i = 0; i < 4; ++i) mixed[i] = _mm256_permutevar8x32_ps(in[i], lane);
   // Words and lanes change places: the k-th half of record[j] is lane 2j + k.
   transpose_quads(mixed[0], mixed[1], mixed[2], mixed[3], record);
-  for (int i = 0; i < 4; ++i) _mm256_storeu_ps(p + 8 * i, record[i]);
+  for (int i = 0; i < 4; ++i) _mm256_storeu_ps(p + row_stride * std::size_t(i / 2) + i % 2 * 8, record[i]);
 }
 // Past the caches; p on a multiple of 64 bytes.
-TESSERA_INLINE void stream_quads(float* p, const __m256 (&in)[4]) {
+TESSERA_INLINE void stream_quads(float* p, std::size_t row_stride, const __m256 (&in)[4]) {
   const __m256i lane = _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7);
   __m256 mixed[4], record[4];
   for (int i = 0; i < 4; ++i) mixed[i] = _mm256_permutevar8x32_ps(in[i], lane);
   // Words and lanes change places: the k-th half of record[j] is lane 2j + k.
   transpose_quads(mixed[0], mixed[1], mixed[2], mixed[3], record);
-  for (int i = 0; i < 4; ++i) _mm256_stream_ps(p + 8 * i, record[i]);
+  for (int i = 0; i < 4; ++i) _mm256_stream_ps(p + row_stride * std::size_t(i / 2) + i % 2 * 8, record[i]);
 }
 TESSERA_INLINE void end_streaming() { _mm_sfence(); }
 TESSERA_INLINE void scatter_quads(float* p, int stride, const __m256 (&in)[4]) {
@@ -189,6 +229,11 @@ TESSERA_INLINE void load_pairs(const std::int32_t* p, __m256i& low, __m256i& hig
   const __m256 b = _mm256_loadu_ps(reinterpret_cast<const float*>(p + 8));
   low = _mm256_permute4x64_epi64(_mm256_castps_si256(_mm256_shuffle_ps(a, b, 0x88)), 0xd8);
   high = _mm256_permute4x64_epi64(_mm256_castps_si256(_mm256_shuffle_ps(a, b, 0xdd)), 0xd8);
+}
+TESSERA_INLINE void store_pairs(std::int32_t* p, __m256i low, __m256i high) {
+  const __m256i a = _mm256_unpacklo_epi32(low, high), b = _mm256_unpackhi_epi32(low, high);  // by halves
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm256_permute2x128_si256(a, b, 0x20));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(p + 8), _mm256_permute2x128_si256(a, b, 0x31));
 }
 
 }  // namespace native

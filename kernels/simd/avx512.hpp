@@ -97,6 +97,8 @@ TESSERA_INLINE void transpose_quads(__m512 a, __m512 b, __m512 c, __m512 d, __m5
   out[2] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0x44);
   out[3] = _mm512_maskz_shuffle_ps(0xffff, ab_high, cd_high, 0xee);
 }
+TESSERA_INLINE __m128 load_quad(const float* p) { return _mm_loadu_ps(p); }
+TESSERA_INLINE __m128 load_triple(const float* p) { return _mm_maskz_loadu_ps(7, p); }
 template <class Load>
 TESSERA_INLINE __m512 four_records(const float* const (&p)[4], int word, const Load& load) {
   const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[0] + word)), load(p[1] + word), 1);
@@ -126,16 +128,16 @@ TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load&
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m512* out) {
   gather_records<quads>(
-      base, word, [](const float* p) { return _mm_loadu_ps(p); }, out);
+      base, word, [](const float* p) { return load_quad(p); }, out);
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {
   gather_records<quads>(
-      base, words, [](const float* p) { return _mm_loadu_ps(p); }, out);
+      base, words, [](const float* p) { return load_quad(p); }, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, __m512i words, __m512* out) {
   gather_records<1>(
-      base, words, [](const float* p) { return _mm_maskz_loadu_ps(7, p); }, out);
+      base, words, [](const float* p) { return load_triple(p); }, out);
 }
 // Lane 4a + b <-> lane 4b + a.
 TESSERA_INLINE __m512 swap_quarters(__m512 x) {
@@ -146,16 +148,16 @@ TESSERA_INLINE void load_quads(const float* p, __m512 (&out)[4]) {
   transpose_quads(_mm512_loadu_ps(p), _mm512_loadu_ps(p + 16), _mm512_loadu_ps(p + 32), _mm512_loadu_ps(p + 48), out);
   for (__m512& x : out) x = swap_quarters(x);
 }
-TESSERA_INLINE void store_quads(float* p, const __m512 (&in)[4]) {
+TESSERA_INLINE void store_quads(float* p, std::size_t row_stride, const __m512 (&in)[4]) {
   __m512 record[4];
   transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
-  for (int i = 0; i < 4; ++i) _mm512_storeu_ps(p + 16 * i, record[i]);
+  for (int i = 0; i < 4; ++i) _mm512_storeu_ps(p + row_stride * std::size_t(i), record[i]);
 }
 // Past the caches; p on a multiple of 64 bytes.
-TESSERA_INLINE void stream_quads(float* p, const __m512 (&in)[4]) {
+TESSERA_INLINE void stream_quads(float* p, std::size_t row_stride, const __m512 (&in)[4]) {
   __m512 record[4];
   transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
-  for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + 16 * i, record[i]);
+  for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + row_stride * std::size_t(i), record[i]);
 }
 TESSERA_INLINE void end_streaming() { _mm_sfence(); }
 TESSERA_INLINE void scatter_quads(float* p, int stride, const __m512 (&in)[4]) {
@@ -169,11 +171,47 @@ TESSERA_INLINE void scatter_quads(float* p, int stride, const __m512 (&in)[4]) {
     _mm_storeu_ps(p + stride * (12 + i), __builtin_shufflevector(r, r, 12, 13, 14, 15));
   }
 }
+// The different values in order of first appearance, zeros after them, and each lane's place among them.
+inline constexpr int most_distinct = 16;
+TESSERA_INLINE int distinct(__m512i x, std::int32_t* values, __m512i& place) {
+  const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m512i earlier = _mm512_maskz_conflict_epi32(0xffff, x);  // bit i: equals lane i, which comes before
+  const __mmask16 first = _mm512_testn_epi32_mask(earlier, earlier);
+  _mm512_store_si512(values, _mm512_maskz_compress_epi32(first, x));
+  // The lowest set bit of `earlier` is the lane that a repeated value appeared in first.
+  const __m512i lowest = _mm512_and_si512(earlier, _mm512_sub_epi32(_mm512_setzero_si512(), earlier));
+  const __m512i source = _mm512_mask_sub_epi32(lane, static_cast<__mmask16>(~first), _mm512_set1_epi32(31),
+                                               _mm512_maskz_lzcnt_epi32(0xffff, lowest));
+  place = _mm512_maskz_permutexvar_epi32(0xffff, source, _mm512_maskz_expand_epi32(first, lane));
+  return __builtin_popcount(mask_bits(first));
+}
+// Records of four words, at most four or eight of them -> one vector per word; place4: four times the lane's record.
+inline constexpr int records_per_register = 4;
+template <class Load>
+TESSERA_INLINE void spread_one(const float* const* record, __m512i place4, const Load& load, __m512 (&out)[4]) {
+  const float* const p[4] = {record[0], record[1], record[2], record[3]};
+  const __m512 records = four_records(p, 0, load);
+  for (int i = 0; i < 4; ++i)
+    out[i] = _mm512_maskz_permutexvar_ps(0xffff, _mm512_add_epi32(place4, _mm512_set1_epi32(i)), records);
+}
+template <class Load>
+TESSERA_INLINE void spread_two(const float* const* record, __m512i place4, const Load& load, __m512 (&out)[4]) {
+  const float* const p[4] = {record[0], record[1], record[2], record[3]};
+  const float* const q[4] = {record[4], record[5], record[6], record[7]};
+  const __m512 low = four_records(p, 0, load), high = four_records(q, 0, load);
+  for (int i = 0; i < 4; ++i)
+    out[i] = _mm512_permutex2var_ps(low, _mm512_add_epi32(place4, _mm512_set1_epi32(i)), high);
+}
 TESSERA_INLINE void load_pairs(const std::int32_t* p, __m512i& low, __m512i& high) {
   const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
   const __m512i a = _mm512_loadu_si512(p), b = _mm512_loadu_si512(p + 16);
   low = _mm512_permutex2var_epi32(a, even, b);
   high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
+}
+TESSERA_INLINE void store_pairs(std::int32_t* p, __m512i low, __m512i high) {
+  const __m512i front = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+  _mm512_storeu_si512(p, _mm512_permutex2var_epi32(low, front, high));
+  _mm512_storeu_si512(p + 16, _mm512_permutex2var_epi32(low, _mm512_add_epi32(front, _mm512_set1_epi32(8)), high));
 }
 
 }  // namespace native

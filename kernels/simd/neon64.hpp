@@ -114,6 +114,41 @@ TESSERA_INLINE void transpose_quads(float32x4_t a, float32x4_t b, float32x4_t c,
   out[2] = vzip1q_f32(ac_high, bd_high);
   out[3] = vzip2q_f32(ac_high, bd_high);
 }
+TESSERA_INLINE float32x4_t load_quad(const float* p) { return vld1q_f32(p); }
+TESSERA_INLINE float32x4_t load_triple(const float* p) {
+  return vcombine_f32(vld1_f32(p), vld1_lane_f32(p + 2, vdup_n_f32(0), 0));
+}
+// The different values in order of first appearance, if there are at most two, and each lane's place among them.
+inline constexpr int most_distinct = 2;
+TESSERA_INLINE int distinct(int32x4_t x, std::int32_t* values, int32x4_t& place) {
+  const uint32x4_t same = vceqq_s32(x, vdupq_laneq_s32(x, 0));
+  const std::uint32_t others = ~mask_bits(same) & 15;
+  place = vreinterpretq_s32_u32(vbicq_u32(vdupq_n_u32(1), same));
+  std::int32_t lanes[4];
+  vst1q_s32(lanes, x);
+  values[0] = lanes[0];
+  values[1] = others == 0 ? 0 : lanes[__builtin_ctz(others)];
+  if (others == 0) return 1;
+  return mask_bits(vorrq_u32(same, vceqq_s32(x, vdupq_n_s32(values[1])))) == 15 ? 2 : 3;
+}
+// Records of four words, one or two of them -> one vector per word; place4: four times the lane's record.
+inline constexpr int records_per_register = 1;
+template <class Load>
+TESSERA_INLINE void spread_one(const float* const* record, int32x4_t, const Load& load, float32x4_t (&out)[4]) {
+  const float32x4_t r = load(record[0]);
+  out[0] = vdupq_laneq_f32(r, 0);
+  out[1] = vdupq_laneq_f32(r, 1);
+  out[2] = vdupq_laneq_f32(r, 2);
+  out[3] = vdupq_laneq_f32(r, 3);
+}
+template <class Load>
+TESSERA_INLINE void spread_two(const float* const* record, int32x4_t place4, const Load& load, float32x4_t (&out)[4]) {
+  const uint32x4_t second = vtstq_s32(place4, place4);
+  float32x4_t high[4];
+  spread_one(record, place4, load, out);
+  spread_one(record + 1, place4, load, high);
+  for (int i = 0; i < 4; ++i) out[i] = vbslq_f32(second, high[i], out[i]);
+}
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t* out) {
   for (int q = 0; q < quads; ++q) {
@@ -128,9 +163,6 @@ template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, float32x4_t* out) {
   gather_quads<quads>(base, vld1q_s32(word), out);
 }
-TESSERA_INLINE float32x4_t load_triple(const float* p) {
-  return vcombine_f32(vld1_f32(p), vld1_lane_f32(p + 2, vdup_n_f32(0), 0));
-}
 TESSERA_INLINE void gather_triples(const float* base, int32x4_t words, float32x4_t* out) {
   float32x4_t triple[4];
   transpose_quads(load_triple(base + words[0]), load_triple(base + words[1]), load_triple(base + words[2]),
@@ -141,11 +173,11 @@ TESSERA_INLINE void load_quads(const float* p, float32x4_t (&out)[4]) {
   const float32x4x4_t records = vld4q_f32(p);
   for (int i = 0; i < 4; ++i) out[i] = records.val[i];
 }
-TESSERA_INLINE void store_quads(float* p, const float32x4_t (&in)[4]) {
+TESSERA_INLINE void store_quads(float* p, std::size_t, const float32x4_t (&in)[4]) {
   const float32x4x4_t records = {{in[0], in[1], in[2], in[3]}};
   vst4q_f32(p, records);
 }
-TESSERA_INLINE void stream_quads(float* p, const float32x4_t (&in)[4]) { store_quads(p, in); }
+TESSERA_INLINE void stream_quads(float* p, std::size_t, const float32x4_t (&in)[4]) { store_quads(p, 0, in); }
 TESSERA_INLINE void end_streaming() {}
 TESSERA_INLINE void scatter_quads(float* p, int stride, const float32x4_t (&in)[4]) {
   float32x4_t record[4];
@@ -156,6 +188,10 @@ TESSERA_INLINE void load_pairs(const std::int32_t* p, int32x4_t& low, int32x4_t&
   const int32x4x2_t pairs = vld2q_s32(p);
   low = pairs.val[0];
   high = pairs.val[1];
+}
+TESSERA_INLINE void store_pairs(std::int32_t* p, int32x4_t low, int32x4_t high) {
+  const int32x4x2_t pairs = {{low, high}};
+  vst2q_s32(p, pairs);
 }
 
 }  // namespace native

@@ -191,6 +191,43 @@ TESSERA_INLINE void transpose_quads(__m128 a, __m128 b, __m128 c, __m128 d, __m1
   out[2] = _mm_movelh_ps(ab_high, cd_high);
   out[3] = _mm_movehl_ps(cd_high, ab_high);
 }
+TESSERA_INLINE __m128 load_quad(const float* p) { return _mm_loadu_ps(p); }
+TESSERA_INLINE __m128 load_triple(const float* p) {
+  const __m128i pair = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+  return _mm_movelh_ps(_mm_castsi128_ps(pair), _mm_load_ss(p + 2));
+}
+// The different values in order of first appearance, if there are at most two, and each lane's place among them.
+inline constexpr int most_distinct = 2;
+TESSERA_INLINE int distinct(__m128i x, std::int32_t* values, __m128i& place) {
+  const __m128i first = _mm_shuffle_epi32(x, 0), same = _mm_cmpeq_epi32(x, first);
+  const std::uint32_t others = ~mask_bits(_mm_castsi128_ps(same)) & 15;
+  place = _mm_andnot_si128(same, _mm_set1_epi32(1));
+  alignas(16) std::int32_t lanes[4];
+  _mm_store_si128(reinterpret_cast<__m128i*>(lanes), x);
+  values[0] = lanes[0];
+  values[1] = others == 0 ? 0 : lanes[__builtin_ctz(others)];
+  if (others == 0) return 1;
+  const __m128i second = _mm_cmpeq_epi32(x, _mm_set1_epi32(values[1]));
+  return mask_bits(_mm_castsi128_ps(_mm_or_si128(same, second))) == 15 ? 2 : 3;
+}
+// Records of four words, one or two of them -> one vector per word; place4: four times the lane's record.
+inline constexpr int records_per_register = 1;
+template <class Load>
+TESSERA_INLINE void spread_one(const float* const* record, __m128i, const Load& load, __m128 (&out)[4]) {
+  const __m128 r = load(record[0]);
+  out[0] = _mm_shuffle_ps(r, r, 0x00);
+  out[1] = _mm_shuffle_ps(r, r, 0x55);
+  out[2] = _mm_shuffle_ps(r, r, 0xaa);
+  out[3] = _mm_shuffle_ps(r, r, 0xff);
+}
+template <class Load>
+TESSERA_INLINE void spread_two(const float* const* record, __m128i place4, const Load& load, __m128 (&out)[4]) {
+  const __m128 second = _mm_castsi128_ps(_mm_slli_epi32(place4, 29));  // its sign
+  __m128 high[4];
+  spread_one(record, place4, load, out);
+  spread_one(record + 1, place4, load, high);
+  for (int i = 0; i < 4; ++i) out[i] = _mm_blendv_ps(out[i], high[i], second);
+}
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m128i words, __m128* out) {
   const float* const p[4] = {base + _mm_extract_epi32(words, 0), base + _mm_extract_epi32(words, 1),
@@ -206,10 +243,6 @@ template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m128* out) {
   gather_quads<quads>(base, _mm_loadu_si128(reinterpret_cast<const __m128i*>(word)), out);
 }
-TESSERA_INLINE __m128 load_triple(const float* p) {
-  const __m128i pair = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
-  return _mm_movelh_ps(_mm_castsi128_ps(pair), _mm_load_ss(p + 2));
-}
 TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out) {
   __m128 triple[4];
   transpose_quads(load_triple(base + _mm_extract_epi32(words, 0)), load_triple(base + _mm_extract_epi32(words, 1)),
@@ -220,13 +253,13 @@ TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out
 TESSERA_INLINE void load_quads(const float* p, __m128 (&out)[4]) {
   transpose_quads(_mm_loadu_ps(p), _mm_loadu_ps(p + 4), _mm_loadu_ps(p + 8), _mm_loadu_ps(p + 12), out);
 }
-TESSERA_INLINE void store_quads(float* p, const __m128 (&in)[4]) {
+TESSERA_INLINE void store_quads(float* p, std::size_t, const __m128 (&in)[4]) {
   __m128 record[4];
   transpose_quads(in[0], in[1], in[2], in[3], record);
   for (int i = 0; i < 4; ++i) _mm_storeu_ps(p + 4 * i, record[i]);
 }
 // Past the caches; p on a multiple of 64 bytes.
-TESSERA_INLINE void stream_quads(float* p, const __m128 (&in)[4]) {
+TESSERA_INLINE void stream_quads(float* p, std::size_t, const __m128 (&in)[4]) {
   __m128 record[4];
   transpose_quads(in[0], in[1], in[2], in[3], record);
   for (int i = 0; i < 4; ++i) _mm_stream_ps(p + 4 * i, record[i]);
@@ -242,6 +275,10 @@ TESSERA_INLINE void load_pairs(const std::int32_t* p, __m128i& low, __m128i& hig
   const __m128 b = _mm_loadu_ps(reinterpret_cast<const float*>(p + 4));
   low = _mm_castps_si128(_mm_shuffle_ps(a, b, 0x88));
   high = _mm_castps_si128(_mm_shuffle_ps(a, b, 0xdd));
+}
+TESSERA_INLINE void store_pairs(std::int32_t* p, __m128i low, __m128i high) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(p), _mm_unpacklo_epi32(low, high));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(p + 4), _mm_unpackhi_epi32(low, high));
 }
 
 }  // namespace native

@@ -188,31 +188,70 @@ TESSERA_INLINE void gather_triples(const float* base, Int word, Float (&out)[3])
   native::gather_triples(base, word.raw(), r);
   for (int i = 0; i < 3; ++i) out[i] = make_float(r[i]);
 }
+
+// The different values among the lanes, in order of first appearance, if they are few.
+struct DistinctLanes {
+  int count;                                    // more than most_distinct: too many, and the rest means nothing
+  alignas(64) std::int32_t values[Int::lanes];  // at least most_distinct, zeros after the last
+  Int place4;                                   // four times each lane's place among the values
+};
+inline constexpr int most_distinct = native::most_distinct;
+TESSERA_INLINE void find_distinct(Int x, DistinctLanes& out) {
+  native::IntRegister place;
+  out.count = native::distinct(x.raw(), out.values, place);
+  out.place4 = make_int(place) << 2;
+}
+// gather_quads() and gather_triples() of lanes that share few records: `registers` (1 or 2) * records_per_register of
+// them, each read once. place4: as in DistinctLanes.
+inline constexpr int records_per_register = native::records_per_register;
+template <int registers, int words>
+TESSERA_INLINE void spread_records(const float* const* record, Int place4, Float (&out)[words]) {
+  static_assert(words == 3 || words % 4 == 0);
+  const auto load = [](const float* p) { return words == 3 ? native::load_triple(p) : native::load_quad(p); };
+  for (int first = 0; first < words; first += 4) {
+    const float* from[registers * records_per_register];
+    for (int n = 0; n < registers * records_per_register; ++n) from[n] = record[n] + first;
+    native::FloatRegister r[4];
+    if constexpr (registers == 1)
+      native::spread_one(from, place4.raw(), load, r);
+    else
+      native::spread_two(from, place4.raw(), load, r);
+    for (int i = first; i < words && i < first + 4; ++i) out[i] = make_float(r[i - first]);
+  }
+}
 // Of consecutive records.
 TESSERA_INLINE void load_quads(const float* p, Float (&out)[4]) {
   native::FloatRegister r[4];
   native::load_quads(p, r);
   for (int i = 0; i < 4; ++i) out[i] = make_float(r[i]);
 }
-TESSERA_INLINE void store_quads(float* p, const Float (&in)[4]) {
+// Four lanes' records to p, four to p + row_stride, and so on.
+TESSERA_INLINE void store_quads(float* p, std::size_t row_stride, const Float (&in)[4]) {
   const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
-  native::store_quads(p, r);
+  native::store_quads(p, row_stride, r);
 }
+TESSERA_INLINE void store_quads(float* p, const Float (&in)[4]) { store_quads(p, 16, in); }
 // Lane i's record to p + stride * i.
 TESSERA_INLINE void scatter_quads(float* p, int stride, const Float (&in)[4]) {
   const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
   native::scatter_quads(p, stride, r);
 }
-// Past the caches, where the machine can; p on a multiple of 64 bytes. end_streaming() before another thread reads.
-TESSERA_INLINE void stream_quads(float* p, const Float (&in)[4]) {
+// Past the caches, where the machine can; p and rows on multiples of 64 bytes. end_streaming() before another thread
+// reads.
+TESSERA_INLINE void stream_quads(float* p, std::size_t row_stride, const Float (&in)[4]) {
   const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
-  native::stream_quads(p, r);
+  native::stream_quads(p, row_stride, r);
 }
 TESSERA_INLINE void end_streaming() { native::end_streaming(); }
 TESSERA_INLINE IntPair load_pairs(const void* p) {
   native::IntRegister low, high;
   native::load_pairs(static_cast<const std::int32_t*>(p), low, high);
   return {make_int(low), make_int(high)};
+}
+
+// And back.
+TESSERA_INLINE void store_pairs(void* p, Int low, Int high) {
+  native::store_pairs(static_cast<std::int32_t*>(p), low.raw(), high.raw());
 }
 
 // ----------------------------------------------------------------------------------------------------------- lanes

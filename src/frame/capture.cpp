@@ -107,7 +107,8 @@ void capture_aovs(std::vector<AovLayer>& layers, const TileFragments& tile, cons
     i = end;
     const std::uint32_t slot = tile.slot(best);
     const std::uint32_t triangle = tile.fragments[best].triangle;
-    const std::size_t at = std::size_t(rect.y + pixel / tile_size) * picture_width + rect.x + pixel % tile_size;
+    const std::size_t at =
+        std::size_t(rect.y + tile_pixel_y(pixel)) * picture_width + std::size_t(rect.x + tile_pixel_x(pixel));
     for (AovLayer& layer : layers) {
       const AovKind& kind = kind_of(layer.name);
       if (layer.name == "id") {
@@ -153,7 +154,8 @@ void GBufferCapture::finish(GBufferImage& out) {
   out.samples = samples_;
   out.counts.assign(std::size_t(width_) * height_, 0);
   const auto pixel_of = [&](const Piece& piece, const Fragment& f) {
-    return std::size_t(piece.rect.y + f.pixel / tile_size) * width_ + piece.rect.x + f.pixel % tile_size;
+    return std::size_t(piece.rect.y + tile_pixel_y(f.pixel)) * width_ +
+           std::size_t(piece.rect.x + tile_pixel_x(f.pixel));
   };
   for (const Piece& piece : pieces_)
     for (const Fragment& f : piece.fragments) ++out.counts[pixel_of(piece, f)];
@@ -189,7 +191,7 @@ void load_tile(const GBufferImage& gbuffer, const std::vector<std::size_t>& firs
       for (std::uint32_t n = gbuffer.counts[row + x]; n != 0; --n, ++at) {
         const auto slot = static_cast<std::uint32_t>(out.slots.size());
         out.slots.push_back(slot);
-        out.fragments.push_back({gbuffer.triangle[at], static_cast<std::uint16_t>(y * tile_size + x),
+        out.fragments.push_back({gbuffer.triangle[at], static_cast<std::uint16_t>(tile_pixel(x, y)),
                                  static_cast<std::uint16_t>(gbuffer.coverage[at])});
         for (int k = 0; k < gbuffer_planes; ++k) gbuffer_pointer(view, k)[slot] = gbuffer.planes[k][at];
       }

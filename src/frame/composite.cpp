@@ -94,7 +94,7 @@ void composite_background(const BackgroundSource& background, const View& view, 
   std::uint32_t count = 0;
   for (int y = 0; y < film.height; ++y)
     for (int x = 0; x < film.width; ++x) {
-      const int pixel = y * tile_size + x;
+      const int pixel = tile_pixel(x, y);
       if (!(scratch.remaining[pixel] > 0)) continue;
       scratch.pixels[count] = static_cast<std::uint16_t>(pixel);
       scratch.x[count] = static_cast<float>(film.x + x) + 0.5f;
@@ -129,8 +129,10 @@ void composite_background(const BackgroundSource& background, const View& view, 
     }
   }
   for (int y = 0; y < film.height; ++y)
-    std::memcpy(film.rgba + y * film.row_stride, scratch.rgba.data() + std::size_t{4} * y * tile_size,
-                film.width * 4 * sizeof(float));
+    for (int x = 0; x < film.width; x += 4)  // four pixels of a block's row
+      std::memcpy(film.rgba + y * film.row_stride + std::size_t{4} * x,
+                  scratch.rgba.data() + std::size_t{4} * tile_pixel(x, y),
+                  std::min(4, film.width - x) * 4 * sizeof(float));
 }
 
 }  // namespace tessera

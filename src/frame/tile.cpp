@@ -10,8 +10,11 @@ namespace tessera {
 
 namespace {
 
-bool is_whole(const TileFragments& tile, std::size_t opaque, int pixels, int samples) {
-  if (!tile.in_order || opaque != tile.fragments.size() || opaque != static_cast<std::size_t>(pixels)) return false;
+// One opaque fragment for each pixel, in order, and whole blocks of 4 x 4: what store_pixels() takes.
+bool is_whole(const TileFragments& tile, std::size_t opaque, int width, int height, int samples) {
+  if (!tile.in_order || width % 4 != 0 || height % 4 != 0) return false;
+  if (opaque != tile.fragments.size() || opaque != static_cast<std::size_t>(width * height)) return false;
+  if (samples == 1) return true;
   std::uint32_t covered = (1u << samples) - 1;  // as many fragments as pixels: one each, if each covers its pixel
   for (const Fragment& f : tile.fragments) covered &= f.samples;
   return covered == (1u << samples) - 1;
@@ -33,10 +36,10 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
   ids_.resize(samples * tile_pixels);
   const VisibilityTile tile{x, y, width, height, in.pattern.count, depth_.data(), ids_.data()};
   in.kernels->clear_visibility(tile);
-  RasterCounters counters{};
   if (!lists.opaque.empty()) {
     in.kernels->rasterize_opaque(
-        {tile, in.setup.data(), lists.opaque.data(), static_cast<std::uint32_t>(lists.opaque.size())}, &counters);
+        {tile, in.setup.data(), lists.opaque.data(), static_cast<std::uint32_t>(lists.opaque.size()), &in.geometry},
+        nullptr);
   }
   clock.lap(Stage::coverage);
   if (!lists.mask.empty()) {
@@ -49,7 +52,7 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
     return;
   }
   group_by_binding(in);
-  fragments.whole = is_whole(fragments, opaque_count_, width * height, in.pattern.count);
+  fragments.whole = is_whole(fragments, opaque_count_, width, height, in.pattern.count);
   clock.lap(Stage::collect);
   shade_runs(in, x, y);
   if (fragments.fragments.size() > opaque_count_) sort_transparent();

@@ -4,8 +4,8 @@
 
 namespace tessera {
 
-void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const Triangle* triangles,
-                     std::span<const AlphaMode> alpha_modes, BinScratch& scratch) {
+void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const TouchedBox* boxes,
+                     const Triangle* triangles, std::span<const AlphaMode> alpha_modes, BinScratch& scratch) {
   scratch.spans.resize(std::max(scratch.spans.capacity(), 2 * setup.size() + static_cast<std::size_t>(screen.rows)));
   scratch.rows.resize(scratch.spans.size());
   scratch.row_counts.assign(static_cast<std::size_t>(screen.rows), 0);
@@ -18,14 +18,16 @@ void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> se
     ++row_counts[row];
   };
   for (std::size_t i = 0; i < setup.size(); ++i) {
-    const TouchedTiles touched(screen, setup[i]);
+    const TouchedBox& box = boxes[i];
     auto reference = static_cast<std::uint32_t>(i) * 4;
     if (!alpha_modes.empty())
       reference += static_cast<std::uint32_t>(alpha_modes[triangles[setup[i].triangle].binding]);
-    if (touched.is_box()) {
-      for (int row = touched.first_row(); row <= touched.last_row(); ++row) add(row, touched.box(), reference);
+    if (box.last_column - box.first_column <= 1 && box.last_row - box.first_row <= 1) {
+      for (int row = box.first_row; row <= box.last_row; ++row)
+        add(row, {box.first_column, box.last_column}, reference);
       continue;
     }
+    const TouchedTiles touched(screen, setup[i]);
     const auto used = static_cast<std::size_t>(span - scratch.spans.data());
     // Room for this one's rows, and two for each that follows.
     if (const std::size_t need = used + static_cast<std::size_t>(screen.rows) + 2 * setup.size();

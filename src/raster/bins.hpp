@@ -34,10 +34,10 @@ struct BinScratch {
 /// Where the triangles of one chunk go: spans bucketed by tile row, only for the rows that they touch.
 class ChunkBins {
  public:
-  /// setup: the chunk's triangles, whose indices refer to `triangles`; alpha_modes: per binding, empty if all are
-  /// opaque.
-  void fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const Triangle* triangles,
-            std::span<const AlphaMode> alpha_modes, BinScratch& scratch);
+  /// setup: the chunk's triangles, whose indices refer to `triangles`; boxes: the tiles of each; alpha_modes: per
+  /// binding, empty if all are opaque.
+  void fill(const TileScreen& screen, std::span<const SetupTriangle> setup, const TouchedBox* boxes,
+            const Triangle* triangles, std::span<const AlphaMode> alpha_modes, BinScratch& scratch);
   [[nodiscard]] std::span<const TileSpan> row(int row) const;
   [[nodiscard]] std::size_t bytes() const;
 

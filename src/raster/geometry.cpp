@@ -53,7 +53,10 @@ void GeometryStage::run(const GeometryView& geometry, const ViewTransform& view,
   alpha_modes_ = plain ? std::span<const AlphaMode>() : alpha_modes;
   scratch_.resize(std::max(scratch_.size(), static_cast<std::size_t>(thread_count())));
   for (Scratch& scratch : scratch_)
-    if (!scratch.setup) scratch.setup = std::make_unique_for_overwrite<SetupTriangle[]>(setup_per_chunk);
+    if (!scratch.setup) {
+      scratch.setup = std::make_unique_for_overwrite<SetupTriangle[]>(setup_per_chunk);
+      scratch.touched = std::make_unique_for_overwrite<TouchedBox[]>(setup_per_chunk);
+    }
   const SetupTrianglesArgs all{geometry, view, vertices_.data(), double_sided.data(), samples, 0, 0, nullptr, nullptr};
   // Chunks are begun in order, so that each finds out soon where the one before it ends.
   next_chunk_ = placed_ = 0;
@@ -85,6 +88,7 @@ void GeometryStage::set_up_chunk(const SetupTrianglesArgs& all, std::size_t inde
   args.count = std::min(triangles_per_chunk, all.geometry.triangle_count - args.first);
   args.out = scratch.setup.get();
   args.counters = &chunk.counters;
+  args.touched = scratch.touched.get();
   const std::uint32_t count = kernels.setup_triangles(args);
   while (placed_.load(std::memory_order_acquire) != index) std::this_thread::yield();
   const std::size_t begin = base_[index], end = begin + count;
@@ -96,7 +100,7 @@ void GeometryStage::set_up_chunk(const SetupTrianglesArgs& all, std::size_t inde
     chunk.overflow.assign(args.out, args.out + count);
   }
   clock().lap(Stage::triangles);
-  chunk_bins_[index].fill(screen_, {args.out, count}, all.geometry.triangles, alpha_modes_, scratch.bins);
+  chunk_bins_[index].fill(screen_, {args.out, count}, args.touched, all.geometry.triangles, alpha_modes_, scratch.bins);
   clock().lap(Stage::bins);
 }
 
@@ -116,8 +120,8 @@ std::size_t GeometryStage::bytes() const {
   for (const ChunkBins& chunk : chunk_bins_) sum += chunk.bytes();
   for (const RowBins& row : rows_) sum += row.bytes();
   for (const Scratch& s : scratch_) {
-    sum += (s.setup ? setup_per_chunk * sizeof(SetupTriangle) : 0) + s.bins.spans.capacity() * sizeof(TileSpan) +
-           s.bins.rows.capacity() * sizeof(std::uint16_t);
+    sum += (s.setup ? setup_per_chunk * (sizeof(SetupTriangle) + sizeof(TouchedBox)) : 0) +
+           s.bins.spans.capacity() * sizeof(TileSpan) + s.bins.rows.capacity() * sizeof(std::uint16_t);
   }
   return sum;
 }

@@ -44,6 +44,7 @@ class GeometryStage {
   };
   struct Scratch {
     std::unique_ptr<SetupTriangle[]> setup;
+    std::unique_ptr<TouchedBox[]> touched;
     BinScratch bins;
   };
   StageClock& clock() { return clocks_[static_cast<std::size_t>(thread_index())]; }

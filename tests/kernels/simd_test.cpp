@@ -389,24 +389,71 @@ TEST_P(Simd, RecordsOfSeveralWords) {
     for (int i = 0; i < v.lanes; ++i)
       for (int k = 0; k < 4; ++k) ASSERT_EQ(out[k * v.lanes + i], table[std::size_t(4 * i + k)]);
 
-    alignas(64) float back[4 * max_lanes], streamed[4 * max_lanes];
+    // Rows of four records, a line apart and further.
+    for (const std::size_t row_stride : {16, 48}) {
+      alignas(64) float back[48 * max_lanes / 4], streamed[48 * max_lanes / 4];
+      v.store_quads(out, row_stride, back);
+      v.stream_quads(out, row_stride, streamed);
+      for (int i = 0; i < v.lanes; ++i)
+        for (int k = 0; k < 4; ++k) {
+          const std::size_t at = std::size_t(i / 4) * row_stride + std::size_t(i % 4 * 4 + k);
+          ASSERT_TRUE(back[at] == table[std::size_t(4 * i + k)] && streamed[at] == back[at]);
+        }
+    }
     std::vector<float> scattered(std::size_t{max_lanes} * 7, -1);
-    v.store_quads(out, back);
-    v.stream_quads(out, streamed);
     v.scatter_quads(out, 7, scattered.data());
-    std::int32_t pairs[2 * max_lanes], low[max_lanes], high[max_lanes];
+    std::int32_t pairs[2 * max_lanes], low[max_lanes], high[max_lanes], stored[2 * max_lanes];
     for (std::int32_t& p : pairs) p = std::int32_t(random());
     v.load_pairs(pairs, low, high);
+    v.store_pairs(low, high, stored);
     for (int i = 0; i < v.lanes; ++i) {
       ASSERT_TRUE(low[i] == pairs[2 * i] && high[i] == pairs[2 * i + 1]);
-      for (int k = 0; k < 7; ++k) {
-        const float expected = k < 4 ? table[std::size_t(4 * i + k)] : -1;
-        ASSERT_EQ(scattered[std::size_t(7 * i + k)], expected);
-        if (k < 4) {
-          ASSERT_TRUE(back[4 * i + k] == expected && streamed[4 * i + k] == expected);
-        }
-      }
+      ASSERT_TRUE(stored[2 * i] == low[i] && stored[2 * i + 1] == high[i]);
+      for (int k = 0; k < 7; ++k)
+        ASSERT_EQ(scattered[std::size_t(7 * i + k)], k < 4 ? table[std::size_t(4 * i + k)] : -1);
     }
+  }
+}
+
+TEST_P(Simd, LanesThatShareRecords) {
+  const VocabularyTable& v = *GetParam();
+  std::mt19937 random(18);
+  for (int round = 0; round < 3000; ++round) {
+    const int different = 1 + round % v.lanes;
+    std::int32_t in[max_lanes], values[max_lanes], place4[max_lanes];
+    for (std::int32_t& x : in) x = std::int32_t(random() % unsigned(different)) * 1000003 - 5000000;
+    std::vector<std::int32_t> expected;  // in order of first appearance
+    int place[max_lanes] = {};
+    for (int i = 0; i < v.lanes; ++i) {
+      const auto seen = std::find(expected.begin(), expected.end(), in[i]);
+      place[i] = int(seen - expected.begin());
+      if (seen == expected.end()) expected.push_back(in[i]);
+    }
+    const int count = v.find_distinct(in, values, place4);
+    if (int(expected.size()) > v.most_distinct) {
+      ASSERT_GT(count, v.most_distinct);
+      continue;
+    }
+    ASSERT_EQ(count, int(expected.size()));
+    for (int i = 0; i < v.most_distinct; ++i) ASSERT_EQ(values[i], i < count ? expected[std::size_t(i)] : 0);
+    for (int i = 0; i < v.lanes; ++i) ASSERT_EQ(place4[i], 4 * place[i]);
+    for (const int registers : {1, 2})
+      for (const int words : {3, 12}) {
+        const int most = registers * v.records_per_register;
+        if (count > most) continue;
+        // Exactly as long as what is read.
+        std::vector<std::vector<float>> records(static_cast<std::size_t>(most), std::vector<float>(std::size_t(words)));
+        std::vector<const float*> at;
+        for (std::vector<float>& r : records) {
+          for (float& x : r) x = float(random() % 100000);
+          at.push_back(r.data());
+        }
+        float out[12 * max_lanes];
+        v.spread_records(registers, words, at.data(), place4, out);
+        for (int i = 0; i < v.lanes; ++i)
+          for (int k = 0; k < words; ++k)
+            ASSERT_EQ(out[k * v.lanes + i], records[std::size_t(place[i])][std::size_t(k)]);
+      }
   }
 }
 

@@ -1,5 +1,7 @@
 #include "kernels/isa/vocabulary.hpp"
 
+#include <algorithm>
+
 #include "kernels/simd.hpp"
 
 #define TESSERA_TEXT2(x) #x
@@ -160,6 +162,13 @@ void gather_words(const float* base, const std::int32_t* word, float* out) {
   for (int i = 0; i < words; ++i) store(out + i * Float::lanes, v[i]);
 }
 
+template <int registers, int words>
+void spread_words(const float* const* record, Int place4, float* out) {
+  Float v[words];
+  spread_records<registers>(record, place4, v);
+  for (int i = 0; i < words; ++i) store(out + i * Float::lanes, v[i]);
+}
+
 Float load_word(const float* in, int word) { return load<Float>(in + word * Float::lanes); }
 
 }  // namespace
@@ -202,11 +211,11 @@ const VocabularyTable vocabulary = {
       load_quads(in, v);
       for (int i = 0; i < 4; ++i) store(out + i * Float::lanes, v[i]);
     },
-    [](const float* in, float* out) {
-      store_quads(out, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
+    [](const float* in, std::size_t row_stride, float* out) {
+      store_quads(out, row_stride, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
     },
-    [](const float* in, float* out) {
-      stream_quads(out, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
+    [](const float* in, std::size_t row_stride, float* out) {
+      stream_quads(out, row_stride, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
       end_streaming();
     },
     [](const float* in, int stride, float* out) {
@@ -216,6 +225,24 @@ const VocabularyTable vocabulary = {
       const IntPair pair = load_pairs(in);
       store(low, pair.low);
       store(high, pair.high);
+    },
+    [](const std::int32_t* low, const std::int32_t* high, void* out) {
+      store_pairs(out, load_int(low), load_int(high));
+    },
+    [](const std::int32_t* in, std::int32_t* values, std::int32_t* place4) {
+      DistinctLanes distinct;
+      find_distinct(load_int(in), distinct);
+      std::copy_n(distinct.values, Int::lanes, values);
+      store(place4, distinct.place4);
+      return distinct.count;
+    },
+    most_distinct,
+    records_per_register,
+    [](int registers, int words, const float* const* record, const std::int32_t* place4, float* out) {
+      const auto spread = registers == 1 ? words == 3 ? spread_words<1, 3> : spread_words<1, 12>
+                          : words == 3 ? spread_words<2, 3>
+                                         : spread_words<2, 12>;
+      spread(record, load_int(place4), out);
     },
     [](const std::int32_t* in, std::uint32_t mask, std::int32_t* out) {
       return compress_store(out, load_int(in), from_mask_bits(mask));

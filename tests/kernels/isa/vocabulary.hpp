@@ -92,11 +92,18 @@ struct VocabularyTable {
   void (*gather_quads)(const float* base, const std::int32_t* word, float* out);
   void (*gather_three_quads)(const float* base, const std::int32_t* word, float* out);
   void (*gather_triples)(const float* base, const std::int32_t* word, float* out);
-  void (*load_quads)(const float* in, float* out);   // consecutive records -> word by word
-  void (*store_quads)(const float* in, float* out);  // and back
-  void (*stream_quads)(const float* in, float* out);
+  void (*load_quads)(const float* in, float* out);  // consecutive records -> word by word
+  // And back: four lanes' records to out, four to out + row_stride, and so on.
+  void (*store_quads)(const float* in, std::size_t row_stride, float* out);
+  void (*stream_quads)(const float* in, std::size_t row_stride, float* out);
   void (*scatter_quads)(const float* in, int stride, float* out);
   void (*load_pairs)(const void* in, std::int32_t* low, std::int32_t* high);
+  void (*store_pairs)(const std::int32_t* low, const std::int32_t* high, void* out);
+  // find_distinct(): values has `lanes` elements, place4 too; and how many values there may be.
+  int (*find_distinct)(const std::int32_t* in, std::int32_t* values, std::int32_t* place4);
+  int most_distinct, records_per_register;
+  // Records of twelve words, or of three, from one register or from two: word by word into out.
+  void (*spread_records)(int registers, int words, const float* const* record, const std::int32_t* place4, float* out);
   int (*compress_store)(const std::int32_t* in, std::uint32_t mask, std::int32_t* out);
   std::uint32_t (*mask_round_trip)(std::uint32_t mask);
   std::uint32_t (*any_all_none)(std::uint32_t mask);  // bits 0, 1, 2

@@ -34,7 +34,7 @@ class CoverageOracle {
       for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x)
           if (covers(t, (tile_x + x) * 256 + pattern_.x[s], (tile_y + y) * 256 + pattern_.y[s]))
-            expected_.push_back(s * tile_pixels + y * tile_size + x);
+            expected_.push_back(s * tile_pixels + tile_pixel(x, y));
     covered_ += expected_.size();
     const std::uint32_t list = 0;
     for (const Kernels* k : kernels_) {

@@ -109,7 +109,7 @@ TEST_P(Fragments, CollectVisibleListsDistinctPairsInOrder) {
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
           const bool copy = s > 0 && random.between(0, 2) != 0;
-          const int p = y * tile_size + x;
+          const int p = tile_pixel(x, y);
           const auto id = static_cast<std::uint32_t>(random.next() >> 32);
           tile.view.triangle[s * tile_pixels + p] = different == 0   ? no_triangle
                                                     : copy           ? tile.view.triangle[p]

@@ -102,7 +102,7 @@ inline void draw(const Tile& out, const SamplePattern& pattern, const std::vecto
   for (int s = 0; s < pattern.count; ++s)
     for (int y = 0; y < out.view.height; ++y)
       for (int x = 0; x < out.view.width; ++x) {
-        const int i = s * tile_pixels + y * tile_size + x;
+        const int i = s * tile_pixels + tile_pixel(x, y);
         const std::int64_t px = (out.view.x + x) * 256 + pattern.x[s], py = (out.view.y + y) * 256 + pattern.y[s];
         for (const SetupTriangle& t : triangles) {
           if (!covers(t, px, py)) continue;

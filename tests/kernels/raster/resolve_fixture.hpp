@@ -102,7 +102,7 @@ struct Workbench {
   }
 };
 
-inline std::uint16_t pixel(int x, int y) { return std::uint16_t(y * tile_size + x); }
+inline std::uint16_t pixel(int x, int y) { return std::uint16_t(tile_pixel(x, y)); }
 
 /// One triangle that covers the whole tile at (0, 0) of the plain view, with attributes affine in the window: vertex i
 /// gets at(x_i, y_i).
@@ -118,8 +118,7 @@ void add_covering_triangle(Workbench& bench, const At& at) {
 /// Every pixel of the tile, on triangle 0, all samples covered.
 inline std::vector<Fragment> whole_tile(std::uint16_t samples = 1) {
   std::vector<Fragment> fragments;
-  for (int y = 0; y < tile_size; ++y)
-    for (int x = 0; x < tile_size; ++x) fragments.push_back({0, pixel(x, y), samples});
+  for (int p = 0; p < tile_pixels; ++p) fragments.push_back({0, std::uint16_t(p), samples});
   return fragments;
 }
 

@@ -105,8 +105,8 @@ TEST(Resolve, MipLevelIsThatOfTheFootprint) {
       const float* at = bench.positions.data() + 3 * std::size_t{index[k]};
       p[k] = {at[0], at[1], at[2]};
     }
-    const RayHit hit = scene.camera.intersect(p, bench.tile_x + f.pixel % tile_size + 0.5 + dx,
-                                              bench.tile_y + f.pixel / tile_size + 0.5 + dy);
+    const RayHit hit = scene.camera.intersect(p, bench.tile_x + tile_pixel_x(f.pixel) + 0.5 + dx,
+                                              bench.tile_y + tile_pixel_y(f.pixel) + 0.5 + dy);
     for (int k = 0; k < 3; ++k) {
       u += hit.b[k] * bench.attributes[index[k]].uv[1][0];
       v += hit.b[k] * bench.attributes[index[k]].uv[1][1];
@@ -220,7 +220,7 @@ TEST(Resolve, NormalsAreInterpolatedAndUnit) {
   for (const Kernels* kernels : runnable_kernels()) {
     const GBuffer out = bench.resolve(*kernels, fragments);
     for (int i = 0; i < tile_pixels; ++i) {
-      const Vector expected = unit({0.01 * (i % tile_size + 0.5), -0.02 * (i / tile_size + 0.5), 1});
+      const Vector expected = unit({0.01 * (tile_pixel_x(i) + 0.5), -0.02 * (tile_pixel_y(i) + 0.5), 1});
       ASSERT_NEAR(out.planes[normal][i], expected.x, 1e-6);
       ASSERT_NEAR(out.planes[normal + 1][i], expected.y, 1e-6);
       ASSERT_NEAR(out.planes[normal + 2][i], expected.z, 1e-6);

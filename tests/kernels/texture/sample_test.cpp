@@ -131,7 +131,7 @@ void expect_like_reference(const Kernels& kernels, TextureMemory& texture, const
   const double tolerance = 1e-4 + 4 * 2e-7 * 40 * std::max(w, h);
   int compared = 0;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const double x = fragments[i].pixel % tile_size + 0.5, y = fragments[i].pixel / tile_size + 0.5;
+    const double x = tile_pixel_x(fragments[i].pixel) + 0.5, y = tile_pixel_y(fragments[i].pixel) + 0.5;
     const double uu = u.at(x, y), vv = v.at(x, y);
     if (reference.near_edge(uu, vv, lod)) continue;
     ++compared;

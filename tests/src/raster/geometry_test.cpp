@@ -40,7 +40,7 @@ std::vector<int> cover_counts(const GeometryStage& stage, const ViewTransform& c
         for (const std::uint32_t i : list) {
           const std::uint32_t n = k.collect_triangle(tile.view, stage.setup()[i], false, fragments.data());
           for (std::uint32_t f = 0; f < n; ++f) {
-            const int px = x + fragments[f].pixel % tile_size, py = y + fragments[f].pixel / tile_size;
+            const int px = x + tile_pixel_x(fragments[f].pixel), py = y + tile_pixel_y(fragments[f].pixel);
             for (int s = 0; s < samples; ++s)
               counts[(std::size_t(py) * camera.width + px) * samples + s] += fragments[f].samples >> s & 1;
           }
