@@ -1,7 +1,6 @@
 // A tile's list of opaque triangles, drawn by the path that suits each one's size.
 #pragma once
 #include "kernels/raster/small.hpp"
-#include "kernels/raster/tiny.hpp"
 
 namespace tessera::TESSERA_ISA {
 namespace {
@@ -90,13 +89,6 @@ TESSERA_INLINE void rasterize_list(const RasterizeArgs& args, const SamplePatter
       BoxVector box(tile, t, extent);
       fetch_ahead.add(t.triangle);
       left &= to_bits(box.some);
-#ifdef TINY
-      if (N != 1) {
-        box.tiny &= first_lanes(count);
-        left &= ~to_bits(box.tiny);
-        if (any(box.tiny)) rasterize_tiny(tile, t, box, pattern, args.triangles, list, counter);
-      }
-#endif
       const std::uint32_t small = left & to_bits(box.one_group);
       if (small != 0) {
         left &= ~small;

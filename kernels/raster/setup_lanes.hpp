@@ -5,8 +5,6 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-/// Pixels along each side of the bounding box of triangles whose samples are drawn one by one, at most.
-inline constexpr int tiny_size = 4;
 /// Edges at most this long keep edge functions near the bounding box below 2^31, in units of (1/256 pixel)^2.
 inline constexpr std::int32_t small_extent_in_tile = 1 << 14;
 /// Kernels gather set-up with signed 32-bit offsets.
@@ -33,7 +31,7 @@ struct SetupVector {
 
 struct BoxVector {  // as TileBox
   Int x0, x1, y0, y1;
-  Mask some, near, tiny, one_group;  // near: not huge; one_group: within 4 x 4 blocks of 4 x 4 pixels
+  Mask some, near, one_group;  // near: not huge; one_group: within 4 x 4 blocks of 4 x 4 pixels
 
   TESSERA_INLINE BoxVector(const VisibilityTile& tile, const SetupVector& t, const SampleExtent& extent) {
     const Int left(tile.x << subpixel_bits), top(tile.y << subpixel_bits);
@@ -45,7 +43,6 @@ struct BoxVector {  // as TileBox
     y1 = min((y_max - top - Int(extent.y_min + 1)) >> subpixel_bits, Int(tile.height - 1));
     some = (x0 <= x1) & (y0 <= y1);
     near = some & (x_max - x_min < Int(small_extent_in_tile)) & (y_max - y_min < Int(small_extent_in_tile));
-    tiny = near & (x1 - x0 < Int(tiny_size)) & (y1 - y0 < Int(tiny_size));
     one_group = near & ((x1 >> 2) - (x0 >> 2) < Int(4)) & ((y1 >> 2) - (y0 >> 2) < Int(4));
   }
 };

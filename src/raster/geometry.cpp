@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "base/parallel.hpp"
+#include "base/stream_copy.hpp"
 
 namespace tessera {
 namespace {
@@ -95,7 +96,7 @@ void GeometryStage::set_up_chunk(const SetupTrianglesArgs& all, std::size_t inde
   base_[index + 1] = static_cast<std::uint32_t>(end);
   placed_.store(index + 1, std::memory_order_release);
   if (end <= setup_.size()) {
-    std::copy_n(args.out, count, setup_.begin() + static_cast<std::ptrdiff_t>(begin));
+    stream_copy(setup_.data() + begin, args.out, count * sizeof(SetupTriangle));
   } else {
     chunk.overflow.assign(args.out, args.out + count);
   }
