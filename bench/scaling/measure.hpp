@@ -19,8 +19,8 @@ struct Case {
   std::string name{};  // of x, where it has one
 };
 
-/// One frame of each that is not counted, then rounds: each case in turn for `seconds`, at least two frames; a round's
-/// value is the median of its frames.
+/// One frame of each that is not counted, then rounds: each case in turn for `seconds`, at least two frames, after one
+/// that is not counted where frames are shorter than that; a round's value is the median of its frames.
 void measure_in_turns(std::vector<Case*> cases, int rounds, double seconds);
 
 }  // namespace tessera::scaling

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace tessera::workload {
 
@@ -93,9 +94,10 @@ BlockedGBuffer::BlockedGBuffer(const std::vector<float>& raw, int width, int hei
 
 BlockedGBuffer::BlockedGBuffer(const BlockedGBuffer& other, int width, int height)
     : width_(width), height_(height), values_(std::size_t(blocks()) * block_floats) {
-  for (int i = 0; i < blocks(); ++i)
-    std::copy_n(other.values_.data() + std::size_t(i % other.blocks()) * block_floats, block_floats,
-                values_.data() + std::size_t(i) * block_floats);
+  parallel_for(std::size_t(blocks()), [&](std::size_t i) {
+    std::copy_n(other.values_.data() + i % std::size_t(other.blocks()) * block_floats, block_floats,
+                values_.data() + i * block_floats);
+  });
 }
 
 GBufferView BlockedGBuffer::block(int index) const {

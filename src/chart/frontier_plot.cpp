@@ -13,6 +13,7 @@ namespace {
 constexpr double width = 960, left = 84, right = width - 16, top = 10, bottom = 470, font = 13, radius = 6.5;
 constexpr double floor_band = 30;  // pixels at the bottom, for what is exact
 constexpr double height = bottom + 72;
+constexpr double most_words = 300;  // pixels of a name
 
 struct Frame {
   LogAxis cost, error;
@@ -82,9 +83,9 @@ std::string draw_point(const FrontierPoint& p, const Frame& f) {
 
 std::string draw_names(const FrontierPlot& plot, const Frame& f, const std::vector<Segment>& lines,
                        std::vector<Rect> obstacles) {
-  // The choice finds its place first, then the frontier, then the others.
+  // The choice finds its place first, then what is notable, then the frontier.
   std::vector<const FrontierPoint*> order;
-  const auto rank = [](const FrontierPoint& p) { return p.chosen ? 0 : p.frontier ? 1 : 2; };
+  const auto rank = [](const FrontierPoint& p) { return p.chosen ? 0 : p.notable ? 1 : 2; };
   for (const FrontierPoint& p : plot.points) {
     if (p.chosen || p.frontier || p.notable)
       order.push_back(&p);
@@ -95,12 +96,15 @@ std::string draw_names(const FrontierPlot& plot, const Frame& f, const std::vect
   std::stable_sort(order.begin(), order.end(),
                    [&](const FrontierPoint* a, const FrontierPoint* b) { return rank(*a) < rank(*b); });
   std::vector<LabelRequest> requests;
-  for (const FrontierPoint* p : order)
-    requests.push_back(
-        {f.cost.at(p->cost),
-         f.y(p->error),
-         radius + (p->chosen ? 5 : 1),
-         {{0, 0, text_width(p->name, font), font * 1.15}, {0, 0, text_width(p->mark, font), font * 1.15}}});
+  const auto size_of = [](const std::string& words) { return Rect{0, 0, text_width(words, font), font * 1.15}; };
+  for (const FrontierPoint* p : order) {
+    LabelRequest request{f.cost.at(p->cost), f.y(p->error), radius + (p->chosen ? 5 : 1), {}};
+    // Long names of many points would cover the plot.
+    const bool in_words = p->chosen || p->notable || text_width(p->name, font) < most_words;
+    if (in_words) request.choices.push_back(size_of(p->name));
+    request.choices.push_back(size_of(p->mark));
+    requests.push_back(std::move(request));
+  }
   const std::vector<Label> labels =
       place_labels({{left + 3, top + 3, right - 3, bottom - 2}, std::move(obstacles), lines}, requests);
   std::string out;
@@ -118,7 +122,7 @@ std::string draw_names(const FrontierPlot& plot, const Frame& f, const std::vect
                 after    ? "start"
                 : before ? "end"
                          : "middle",
-                label.choice == 0 ? order[i]->name : order[i]->mark);
+                label.choice + 1 < requests[i].choices.size() ? order[i]->name : order[i]->mark);
   }
   return out;
 }

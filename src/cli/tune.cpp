@@ -210,7 +210,8 @@ Varied are, as far as the scene has what they change (the exact choice first; a 
 Errors count display steps, the 256 values of an 8-bit channel after exposure and tone curve, against the exact settings' picture,
 over the pixels that show any of the scene: the mean absolute difference of all channels, and the largest difference of a pixel's
 channels that 99 % of the pixels do not exceed. They are the same on every machine.
-Cost is the median time of a frame with everything prepared, on --threads threads of this machine; all settings take turns.
+Cost is the time of the fastest of --frames frames with everything prepared, on --threads threads of this machine; all settings
+take turns.
 Each setting is varied alone; then those values are combined beside which no other is both nearer and clearly (5 %) cheaper. Of
 more than 72 combinations those are measured that the single ones promise to be the cheapest within the limit, or on the frontier,
 and then neighbours of what was found there.

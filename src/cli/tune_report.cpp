@@ -58,7 +58,7 @@ std::string table_of(const TuneReport& r) {
   const std::vector<char> marks = marks_of(r, order);
   const KnobChoice standard = r.knobs.defaults();
   std::string text = fmt::format(
-      "{}: {} x {}, {} pixels of the scene, {} on {} thread{}, median of {} frame{}\n\n"
+      "{}: {} x {}, {} pixels of the scene, {} on {} thread{}, fastest of {} frame{}\n\n"
       "      ms a frame  mean error  99 % within  settings\n",
       printable(r.scene), r.width, r.height, grouped(r.pixels), r.isa, r.threads, r.threads == 1 ? "" : "s", r.frames,
       r.frames == 1 ? "" : "s");
@@ -96,15 +96,18 @@ std::string chart_of(const TuneReport& r) {
                            exact        ? "exact"
                            : is_default ? "default: " + r.knobs.describe(p.choice)
                                         : r.knobs.describe(p.choice),
-                           std::string(1, marks[i]), marks[i] != '.', i == r.chosen, exact || is_default});
+                           exact        ? "exact"
+                           : is_default ? "default"
+                                        : std::string(1, marks[i]),
+                           marks[i] != '.', i == r.chosen, exact || is_default});
   }
   const KnobPoint& chosen = r.points[r.chosen];
   return draw(plot, {fmt::format("Cheapest settings of {}", std::filesystem::path(r.scene).filename().string()),
                      fmt::format("{} × {}, {} settings measured; exact: {}", r.width, r.height, r.points.size(),
                                  chart::shortened(r.knobs.describe(KnobChoice(r.knobs.list.size(), 0)), 100)),
                      {fmt::format("chosen: {}; {}", r.knobs.describe(chosen.choice), result_of(chosen)),
-                      fmt::format("median of {} frames in turns; errors over {} pixels that show the scene", r.frames,
-                                  grouped(r.pixels))}});
+                      fmt::format("fastest of {} frames, all in turns; errors over {} pixels that show the scene",
+                                  r.frames, grouped(r.pixels))}});
 }
 
 std::string results_of(const TuneReport& r) {

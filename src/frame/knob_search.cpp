@@ -12,12 +12,6 @@ namespace {
 constexpr double equally_cheap = 1.02;
 constexpr double surely_cheaper = 1.05;  // the few frames of the first measurement tell no less apart
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Adds a choice unless it is there, and returns its index.
 std::size_t add(std::vector<KnobPoint>& points, const KnobChoice& choice) {
   const auto found =
@@ -36,10 +30,10 @@ void measure(const KnobSearch& s, std::vector<KnobPoint>& points, std::size_t fi
     if (s.progress) s.progress(combining, ++done, total);
   };
   for (std::size_t i = first_new; i < points.size(); ++i, count()) points[i].error = s.error(points[i].choice);
-  std::vector<std::vector<double>> times(points.size());
+  for (KnobPoint& point : points) point.cost = std::numeric_limits<double>::infinity();
   for (std::size_t round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < points.size(); ++i, count()) times[i].push_back(s.cost(points[i].choice));
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].cost = median(std::move(times[i]));
+    for (std::size_t i = 0; i < points.size(); ++i, count())
+      points[i].cost = std::min(points[i].cost, s.cost(points[i].choice));
 }
 
 // Whether b, a choice of the same knob, makes a not worth combining.

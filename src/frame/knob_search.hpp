@@ -14,7 +14,7 @@ using KnobChoice = std::vector<int>;
 struct KnobPoint {
   KnobChoice choice;
   PictureError error;
-  double cost = 0;  // milliseconds, the median of all rounds
+  double cost = 0;  // milliseconds, the least of all rounds: what disturbs a frame only makes it longer
   bool frontier =
       false;  // no other is at most as dear and at most as wrong (by the mean), and better in one of the two
 };
@@ -40,12 +40,12 @@ struct KnobSearch {
 /// neighbours, one knob away, of what then was found on the frontier, by the same rule.
 std::vector<KnobPoint> search(const KnobSearch& search);
 
-/// The frontier without those that cost less than 2 % less than a nearer one: medians repeat no better. Indices,
+/// The frontier without those that cost less than 2 % less than a nearer one: times repeat no better. Indices,
 /// cheapest first.
 std::vector<std::size_t> clear_frontier(const std::vector<KnobPoint>& points);
 
 /// The index of the cheapest point whose errors are within limit, which the exact one always is. Points that cost at
-/// most 2 % more count as equally cheap, since medians repeat no better: of these the one with the smallest mean error.
+/// most 2 % more count as equally cheap, since times repeat no better: of these the one with the smallest mean error.
 std::size_t cheapest_within(const std::vector<KnobPoint>& points, const PictureError& limit);
 
 }  // namespace tessera

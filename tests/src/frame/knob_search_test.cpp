@@ -102,7 +102,7 @@ TEST(KnobSearch, MeasuresOnceForErrorAndTakesTurnsForCost) {
   for (std::size_t i = 0; i < timed.size(); ++i) EXPECT_EQ(timed[i], timed[i % 4]);
 }
 
-TEST(KnobSearch, AnOutlierDoesNotMoveTheMedian) {
+TEST(KnobSearch, OutliersDoNotMoveTheCost) {
   Model model{{{10, 8}}, {{0, 1}}};
   KnobSearch s = model.search_of();
   int frame = 0;
