@@ -91,7 +91,8 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
                    Frame& frame) {
   const Stopwatch watch;
   Lighting lighting(lights, environment, kernels);
-  const LightingView light = lighting.view(settings);
+  LightingView light;
+  run_with_threads(settings.threads, [&] { light = lighting.view(settings); });
   const FilmView film = resized(frame.rgba, gbuffer.width, gbuffer.height);
   FrameStatistics& statistics = frame.statistics;
   statistics.clear();
