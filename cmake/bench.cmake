@@ -11,3 +11,21 @@ endforeach()
 file(GLOB TESSERA_WORKLOAD_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/workload/*.cpp)
 add_executable(tessera_workload ${TESSERA_WORKLOAD_SOURCES})
 target_link_libraries(tessera_workload PRIVATE tessera_frame)
+
+# How frames grow with threads, pixels, triangles and lights.
+file(GLOB TESSERA_SCALING_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/scaling/*.cpp)
+set(TESSERA_SCALED_SOURCES ${TESSERA_WORKLOAD_SOURCES})
+list(FILTER TESSERA_SCALED_SOURCES EXCLUDE REGEX "/main\\.cpp$")
+add_executable(tessera_scaling ${TESSERA_SCALING_SOURCES} ${TESSERA_SCALED_SOURCES}
+                               ${CMAKE_SOURCE_DIR}/bench/peers/environment.cpp ${CMAKE_SOURCE_DIR}/bench/peers/scene.cpp)
+target_link_libraries(tessera_scaling PRIVATE tessera_core)
+
+if(TESSERA_BUILD_TESTS)
+  set(TESSERA_SCALING_TESTED ${TESSERA_SCALING_SOURCES})
+  list(FILTER TESSERA_SCALING_TESTED EXCLUDE REGEX "/main\\.cpp$")
+  add_executable(scaling_tests ${CMAKE_SOURCE_DIR}/tests/bench/scaling/scaling_test.cpp ${TESSERA_SCALING_TESTED}
+                               ${TESSERA_SCALED_SOURCES} ${CMAKE_SOURCE_DIR}/bench/peers/environment.cpp
+                               ${CMAKE_SOURCE_DIR}/bench/peers/scene.cpp)
+  target_link_libraries(scaling_tests PRIVATE tessera_core GTest::gtest_main)
+  gtest_discover_tests(scaling_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endif()

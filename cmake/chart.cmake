@@ -10,7 +10,7 @@ list(FILTER TESSERA_CHART_FAMILY_SOURCES INCLUDE REGEX "/family_[a-z]+\\.cpp$")
 # The page's parts are files of their own kinds, and strings in the program.
 set(TESSERA_CHART_PAGE ${CMAKE_BINARY_DIR}/generated/page_parts.cpp)
 set(TESSERA_CHART_PARTS ${CMAKE_SOURCE_DIR}/bench/chart/page.html ${CMAKE_SOURCE_DIR}/bench/chart/page.css
-                        ${CMAKE_SOURCE_DIR}/bench/chart/page.js ${CMAKE_SOURCE_DIR}/bench/chart/plot.css)
+                        ${CMAKE_SOURCE_DIR}/bench/chart/page.js)
 add_custom_command(OUTPUT ${TESSERA_CHART_PAGE}
                    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${TESSERA_CHART_PAGE} "-DPARTS=${TESSERA_CHART_PARTS}"
                            -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
@@ -18,7 +18,7 @@ add_custom_command(OUTPUT ${TESSERA_CHART_PAGE}
 
 # What draws and writes; the rest measures.
 set(TESSERA_CHART_DRAWING
-    axis compare error_map labels markup output page page_data page_maps page_table plot plot_frame raster results_read results_write)
+    compare error_map output page page_data page_maps page_table plot plot_frame raster results_read results_write)
 list(TRANSFORM TESSERA_CHART_DRAWING REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/bench/chart/\\1.cpp")
 add_library(tessera_charts STATIC ${TESSERA_CHART_DRAWING} ${TESSERA_CHART_PAGE})
 target_link_libraries(tessera_charts PUBLIC tessera_core PRIVATE PkgConfig::RSVG)

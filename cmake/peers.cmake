@@ -1,6 +1,7 @@
 # bench/peers/: programs of the comparison with Mesa. The one that draws with it is built only when asked for, as
 # bench/peers/run.sh does: nothing else needs EGL.
 add_executable(tessera_peer_inputs ${CMAKE_SOURCE_DIR}/bench/peers/make_inputs.cpp
+                                   ${CMAKE_SOURCE_DIR}/bench/peers/environment.cpp
                                    ${CMAKE_SOURCE_DIR}/bench/peers/scene.cpp)
 target_link_libraries(tessera_peer_inputs PRIVATE tessera_frame)
 

@@ -79,7 +79,11 @@ struct ViewTransform {
 
 // ------------------------------------------------------------------------------------------------------- textures
 
-enum class TexelFormat : std::uint32_t { rgba8_unorm, rgba16_float };
+enum class TexelFormat : std::uint32_t {
+  rgba8_unorm,
+  rgba16_float,
+  rgba8_squares,  // colours are the squares of what 8 bits hold (0 .. 1), alpha is what they hold
+};
 enum class WrapMode : std::uint32_t { repeat, mirrored_repeat, clamp_to_edge };
 enum class FilterMode : std::uint32_t { nearest, linear };
 
@@ -266,13 +270,19 @@ struct LightView {
   float spot_scale, spot_offset;  // cone: sat(cos * scale + offset)^2
 };
 
+enum class CubeFormat : std::uint32_t {
+  rgba16_float,  // four halves
+  rgb9_e5,       // one 32-bit word: nine bits a channel from the lowest on, five bits of a common exponent
+};
+
 // A cubemap with mips. Every face of every level has a border of one texel, so that a bilinear footprint never leaves
 // it: (n + 2) x (n + 2) texels, the border holding the neighbouring faces' texels (corners: the mean of the other three
 // taps).
 struct CubeView {
-  const std::uint16_t* texels;  // RGBA half; level 0 first; in a level faces; in a face rows
+  const std::uint16_t* texels;  // level 0 first; in a level faces; in a face rows
   int size;                     // texels along a face of level 0, without the border; a power of two
   int levels;
+  CubeFormat format = CubeFormat::rgba16_float;  // of EnvironmentView::specular alone; all others are halves
 };
 inline constexpr std::size_t cube_level_offset(int size, int level) {  // in texels, from level 0
   std::size_t offset = 0;
@@ -304,10 +314,18 @@ enum class EnvironmentFresnel : std::uint32_t {
   f0,         // F0: the derivation
 };
 
+// Where the directional albedo of the specular lobe comes from.
+enum class EnvironmentAlbedo : std::uint32_t {
+  table,      // DfgView
+  fit,        // polynomials within 2e-3 of it (kernels/bsdf/dfg_fit.hpp)
+  small_fit,  // within 1.4e-2, a third as long
+};
+
 struct EnvironmentShading {
   EnvironmentLobe lobe = EnvironmentLobe::mirror;
   EnvironmentFresnel fresnel = EnvironmentFresnel::roughness;
   bool specular_occlusion = false;  // occlusion of reflections by roughness and angle, not by occlusion alone
+  EnvironmentAlbedo albedo = EnvironmentAlbedo::table;
 };
 
 // Directional albedo of the specular lobe: integral f = F0 A + F90 B. Plain: pairs (A, B), texel i of row j at NoV = (i

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "bench/chart/markup.hpp"
+#include "chart/markup.hpp"
 
 namespace tessera::chart {
 

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <map>
 
-#include "bench/chart/axis.hpp"
-#include "bench/chart/markup.hpp"
-#include "bench/chart/page_parts.hpp"
+#include "chart/axis.hpp"
+#include "chart/markup.hpp"
+#include "chart/style.hpp"
 
 namespace tessera::chart {
 namespace {

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/chart/compare.hpp"
-#include "bench/chart/markup.hpp"
 #include "bench/chart/page.hpp"
 #include "bench/chart/plot.hpp"
+#include "chart/markup.hpp"
 
 namespace tessera::chart {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "bench/chart/error_map.hpp"
-#include "bench/chart/markup.hpp"
 #include "bench/chart/page.hpp"
+#include "chart/markup.hpp"
 
 namespace tessera::chart {
 namespace {

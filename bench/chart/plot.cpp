@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "base/pareto.hpp"
-#include "bench/chart/markup.hpp"
-#include "bench/chart/page_parts.hpp"
 #include "bench/chart/plot_frame.hpp"
+#include "chart/markup.hpp"
+#include "chart/style.hpp"
+#include "chart/svg.hpp"
 
 namespace tessera::chart {
 namespace {
@@ -37,31 +38,11 @@ std::vector<Marker> markers_of(const Plot& plot, const std::string& isa, const P
   return markers;
 }
 
-std::string path_of(const std::vector<Segment>& segments) {
-  std::string d;
-  for (const Segment& s : segments)
-    d += fmt::format("{}{} {}L{} {}", d.empty() ? "M" : "L", coordinate(s.x0), coordinate(s.y0), coordinate(s.x1),
-                     coordinate(s.y1));
-  return d;
-}
-
-// A staircase: between two methods there is nothing to be had.
-std::vector<Segment> staircase(const std::vector<Marker>& markers, const PlotFrame& f) {
-  std::vector<const Marker*> steps;
+std::vector<Segment> staircase_of(const std::vector<Marker>& markers, const PlotFrame& f) {
+  std::vector<Place> steps;
   for (const Marker& m : markers)
-    if (m.frontier && std::isfinite(m.y)) steps.push_back(&m);
-  std::sort(steps.begin(), steps.end(), [](const Marker* a, const Marker* b) { return a->x < b->x; });
-  std::vector<Segment> segments;
-  if (steps.empty()) return segments;
-  double x = steps.front()->x, y = f.method.top;
-  for (const Marker* m : steps) {
-    if (m->x > x) segments.push_back({x, y, m->x, y});
-    if (m->y != y) segments.push_back({m->x, y, m->x, m->y});
-    x = m->x;
-    y = m->y;
-  }
-  segments.push_back({x, y, f.right, y});
-  return segments;
+    if (m.frontier && std::isfinite(m.y)) steps.push_back({m.x, m.y});
+  return staircase(steps, f.method.top, f.right);
 }
 
 // An arrow towards cheap and accurate, in the corner that holds the least.
@@ -224,7 +205,7 @@ std::vector<bool> on_frontier(const Plot& plot, const std::string& isa) {
 Drawing draw_plot(const PlotContext& context, Layout layout) {
   const PlotFrame f = frame_of(context, layout);
   const std::vector<Marker> markers = markers_of(context.plot, context.isa, f);
-  const std::vector<Segment> stairs = staircase(markers, f);
+  const std::vector<Segment> stairs = staircase_of(markers, f);
   std::string out = draw_axes(context, f, layout);
   if (!stairs.empty()) {
     out += fmt::format(R"(<path class="beaten" d="{}V{}Z"/>)", path_of(stairs), coordinate(f.method.top));

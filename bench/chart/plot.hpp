@@ -9,7 +9,7 @@ namespace tessera::chart {
 /// wide: points carry their names. narrow: for a phone, numbers that the table explains.
 enum class Layout { wide, narrow };
 
-/// What goes into an <svg> of this size. Colours and fonts come from classes (plot.css, page.css).
+/// What goes into an <svg> of this size. Colours and fonts come from classes (src/chart/style.cpp, page.css).
 struct Drawing {
   std::string content;
   double width = 0, height = 0;

@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "bench/chart/markup.hpp"
+#include "chart/markup.hpp"
+#include "chart/svg.hpp"
 
 namespace tessera::chart {
 namespace {
@@ -34,16 +35,6 @@ Panel panel_over(const std::vector<double>& errors, double least, double top, do
   panel.axis =
       axis_over(on_axis, least, 0.08, panel.floor ? bottom - edge_band : bottom, panel.ceiling ? top + edge_band : top);
   return panel;
-}
-
-std::string line(const char* cls, double x0, double y0, double x1, double y1) {
-  return fmt::format(R"(<path class="{}" d="M{} {}L{} {}"/>)", cls, coordinate(x0), coordinate(y0), coordinate(x1),
-                     coordinate(y1));
-}
-
-std::string text(const char* cls, double x, double y, const char* anchor, const std::string& words) {
-  return fmt::format(R"(<text class="{}" x="{}" y="{}" text-anchor="{}">{}</text>)", cls, coordinate(x), coordinate(y),
-                     anchor, escaped(words));
 }
 
 std::string draw_errors(const Panel& panel, const PlotFrame& f, int most, const std::string& title, bool narrow) {

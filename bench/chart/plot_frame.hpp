@@ -1,9 +1,9 @@
 // Where a plot's panels and axes lie. The axes span every instruction set (and the other run), so that switching
 // between them moves points and not the ground.
 #pragma once
-#include "bench/chart/axis.hpp"
-#include "bench/chart/labels.hpp"
 #include "bench/chart/plot.hpp"
+#include "chart/axis.hpp"
+#include "chart/labels.hpp"
 
 namespace tessera::chart {
 

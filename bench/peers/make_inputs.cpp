@@ -7,36 +7,20 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "bench/peers/environment.hpp"
 #include "bench/peers/scene.hpp"
 #include "bench/workload/inputs.hpp"
 #include "frame/dispatch.hpp"
 #include "precompute/dfg.hpp"
-#include "precompute/irradiance.hpp"
-#include "precompute/prefilter.hpp"
 
 namespace tessera::peers {
 namespace {
-
-constexpr int cube_size = 256, cube_levels = 9;
 
 template <class T>
 void write(const std::string& path, const T* values, std::size_t count) {
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(values), std::streamsize(count * sizeof(T)));
   if (!file) throw output_error("{}: cannot be written", path);
-}
-
-CubeLevel painted_sky() {
-  CubeLevel level(cube_size);
-  float* texel = level.texels.data();
-  for (int face = 0; face < 6; ++face)
-    for (int j = 0; j < cube_size; ++j)
-      for (int i = 0; i < cube_size; ++i, texel += 4) {
-        const CubeDirection d = texel_direction(face, i, j, cube_size);
-        const Radiance radiance = sky(d.x, d.y, d.z);
-        texel[0] = radiance.red, texel[1] = radiance.green, texel[2] = radiance.blue, texel[3] = 1;
-      }
-  return level;
 }
 
 // The texels of all levels without their borders.
@@ -55,14 +39,9 @@ std::vector<std::uint16_t> plain_texels(const CubeView& cube) {
 }
 
 void write_environment(const std::string& folder, const Kernels& kernels) {
-  const CubeLevel level = painted_sky();
-  std::vector<float> rgb;
-  for (std::size_t i = 0; i < level.texels.size(); i += 4)
-    rgb.insert(rgb.end(), level.texels.data() + i, level.texels.data() + i + 3);
-  const IrradianceSh sh = project_irradiance(CubeFacesView{rgb.data(), cube_size}, 0, kernels);
-  write(folder + "/sh9.f32", &sh.coefficients[0][0], 27);
-  // A curve of 0: level k is for roughness k / 8.
-  const std::vector<std::uint16_t> texels = plain_texels(prefiltered(level, cube_levels, 0, kernels, 0).view());
+  const PaintedEnvironment painted = paint_environment(kernels);
+  write(folder + "/sh9.f32", &painted.irradiance.coefficients[0][0], 27);
+  const std::vector<std::uint16_t> texels = plain_texels(painted.reflections.view());
   write(folder + "/env.rgba16f", texels.data(), texels.size());
 }
 

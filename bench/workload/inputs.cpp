@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace tessera::workload {
 
@@ -64,16 +65,39 @@ static std::size_t store_order(int x, int y) {
   return std::size_t(y / 4 * 4 * block_size + x / 4 * 16 + y % 4 * 4 + x % 4);
 }
 
-BlockedGBuffer::BlockedGBuffer(const std::string& folder) : values_(std::size_t{blocks_x} * blocks_y * block_floats) {
+Surroundings::Surroundings(Cube prefiltered, const IrradianceSh& sh, AlignedVector<float> dfg_pairs,
+                           const float* eye_position)
+    : cube(std::move(prefiltered)), dfg_texels(std::move(dfg_pairs)) {
+  std::copy_n(eye_position, 4, eye);
+  environment.specular = cube.view();
+  std::copy_n(&sh.coefficients[0][0], 27, &environment.irradiance_sh[0][0]);
+  dfg = {dfg_texels.data(), dfg_size};
+}
+
+BlockedGBuffer::BlockedGBuffer(const std::string& folder)
+    : BlockedGBuffer(
+          read_exactly<float>(folder + "/w1_gbuffer.f32", std::size_t{planes} * workload::width * workload::height),
+          workload::width, workload::height) {}
+
+BlockedGBuffer::BlockedGBuffer(const std::vector<float>& raw, int width, int height)
+    : width_(width), height_(height), values_(std::size_t(blocks()) * block_floats) {
   float* const values = values_.data();
-  const auto raw = read_exactly<float>(folder + "/w1_gbuffer.f32", std::size_t{planes} * width * height);
-  for (int p = 0; p < planes; ++p)
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const std::size_t block = std::size_t(y / block_size) * blocks_x + std::size_t(x / block_size);
-        values[(block * planes + std::size_t(p)) * block_pixels + store_order(x % block_size, y % block_size)] =
-            raw[(std::size_t(p) * height + std::size_t(y)) * width + std::size_t(x)];
+  const auto w = std::size_t(width), h = std::size_t(height);
+  for (std::size_t p = 0; p < planes; ++p)
+    for (std::size_t y = 0; y < h; ++y)
+      for (std::size_t x = 0; x < w; ++x) {
+        const std::size_t block = y / block_size * std::size_t(blocks_x()) + x / block_size;
+        values[(block * planes + p) * block_pixels + store_order(int(x % block_size), int(y % block_size))] =
+            raw[(p * h + y) * w + x];
       }
+}
+
+BlockedGBuffer::BlockedGBuffer(const BlockedGBuffer& other, int width, int height)
+    : width_(width), height_(height), values_(std::size_t(blocks()) * block_floats) {
+  parallel_for(std::size_t(blocks()), [&](std::size_t i) {
+    std::copy_n(other.values_.data() + i % std::size_t(other.blocks()) * block_floats, block_floats,
+                values_.data() + i * block_floats);
+  });
 }
 
 GBufferView BlockedGBuffer::block(int index) const {
@@ -91,11 +115,7 @@ GBufferView BlockedGBuffer::block(int index) const {
   return view;
 }
 
-LightSet::LightSet(const std::string& folder, const std::string& variant) {
-  const bool tiled = variant.ends_with('t');
-  culled = variant.ends_with('c');
-  const std::string count = variant.substr(1, variant.size() - (tiled || culled ? 2 : 1));
-  const auto records = read_array<float>(folder + "/lights_" + count + ".f32");
+LightSet::LightSet(const std::vector<float>& records) {
   for (std::size_t i = 0; i + 8 <= records.size(); i += 8) {
     LightView light{};
     light.type = LightType::point;
@@ -108,8 +128,23 @@ LightSet::LightSet(const std::string& folder, const std::string& variant) {
     lights.push_back(light);
   }
   bounds = LightBounds(lights);
-  if (!tiled) return;
-  offsets = read_exactly<std::uint32_t>(folder + "/tiles_" + count + ".off.u32", std::size_t{blocks_x} * blocks_y + 1);
+}
+
+namespace {
+// "L256t" -> "256"
+std::string count_of(const std::string& variant) {
+  const bool lettered = variant.ends_with('t') || variant.ends_with('c');
+  return variant.substr(1, variant.size() - (lettered ? 2 : 1));
+}
+}  // namespace
+
+LightSet::LightSet(const std::string& folder, const std::string& variant)
+    : LightSet(read_array<float>(folder + "/lights_" + count_of(variant) + ".f32")) {
+  const std::string count = count_of(variant);
+  culled = variant.ends_with('c');
+  if (!variant.ends_with('t')) return;
+  constexpr int tiles = (width + block_size - 1) / block_size * ((height + block_size - 1) / block_size);
+  offsets = read_exactly<std::uint32_t>(folder + "/tiles_" + count + ".off.u32", std::size_t{tiles} + 1);
   indices = read_array<std::uint32_t>(folder + "/tiles_" + count + ".idx.u32");
   for (const std::uint32_t index : indices)
     if (index >= lights.size())

@@ -15,14 +15,13 @@
 #include "frame/lights.hpp"
 #include "kernels/interface.hpp"
 #include "precompute/cube.hpp"
+#include "precompute/irradiance.hpp"
 
 namespace tessera::workload {
 
 inline constexpr int width = 1920, height = 1080;
 inline constexpr int block_size = 16;  // pixels along a block's side
 inline constexpr int block_pixels = block_size * block_size;
-inline constexpr int blocks_x = (width + block_size - 1) / block_size,
-                     blocks_y = (height + block_size - 1) / block_size;
 inline constexpr int planes = 12;
 inline constexpr int most_lights = 256;
 inline constexpr std::uint32_t block_floats = planes * block_pixels;
@@ -36,10 +35,14 @@ struct Surroundings {
   float eye[4];
   Cube cube;
   EnvironmentView environment{};
-  std::vector<float> dfg_texels;
+  AlignedVector<float> dfg_texels;
   DfgView dfg{};
 
   Surroundings(const std::string& folder, const Kernels& kernels);
+  /// From what is there already; eye has four numbers.
+  Surroundings(Cube prefiltered, const IrradianceSh& sh, AlignedVector<float> dfg_pairs, const float* eye_position);
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
 };
 
 /// The G-buffer cut into blocks of 16 x 16 pixels, the planes of a block one after another: 12 KiB that are read once,
@@ -47,10 +50,21 @@ struct Surroundings {
 class BlockedGBuffer {
  public:
   explicit BlockedGBuffer(const std::string& folder);
+  /// From 12 planes of width x height.
+  BlockedGBuffer(const std::vector<float>& planes_of_pixels, int width, int height);
+  /// Another size, filled with the blocks of `other`, over and over.
+  BlockedGBuffer(const BlockedGBuffer& other, int width, int height);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] int blocks_x() const { return (width_ + block_size - 1) / block_size; }
+  [[nodiscard]] int blocks_y() const { return (height_ + block_size - 1) / block_size; }
+  [[nodiscard]] int blocks() const { return blocks_x() * blocks_y(); }
   /// Planes of a block; those that the workload has none of (emissive, alpha, unlit, depth) are null.
   [[nodiscard]] GBufferView block(int index) const;
 
  private:
+  int width_, height_;
   LargeBuffer values_;
 };
 
@@ -64,6 +78,8 @@ struct LightSet {
   bool culled = false;  // the frame makes the lists
 
   LightSet(const std::string& folder, const std::string& variant);
+  /// Records as lights_N.f32 has them; every light everywhere.
+  explicit LightSet(const std::vector<float>& records);
 };
 
 }  // namespace tessera::workload

@@ -33,8 +33,19 @@ Mesh::Mesh(const std::string& folder, const std::string& name) {
       }
     }
   });
-  for (float& c : material_.base_color) c = 1;
-  material_.metallic = material_.roughness = material_.normal_scale = material_.occlusion_strength = 1;
+}
+
+Mesh::Mesh(AlignedVector<SurfaceVertex> vertices, AlignedVector<Triangle> triangles)
+    : vertices_(std::move(vertices)), positions_(vertices_.size() * 3), triangles_(std::move(triangles)) {
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) positions_[3 * i + k] = vertices_[i].position[k];
+}
+
+MaterialView Mesh::plain_material() {
+  MaterialView material{};
+  for (float& c : material.base_color) c = 1;
+  material.metallic = material.roughness = material.normal_scale = material.occlusion_strength = 1;
+  return material;
 }
 
 PreparedScene Mesh::scene() const {

@@ -16,14 +16,17 @@ namespace tessera::workload {
 class Mesh {
  public:
   Mesh(const std::string& folder, const std::string& name);
+  /// Of one binding, 0; indices within vertices.
+  Mesh(AlignedVector<SurfaceVertex> vertices, AlignedVector<Triangle> triangles);
   /// One plain material; no lights yet.
   [[nodiscard]] PreparedScene scene() const;
 
  private:
+  static MaterialView plain_material();
   AlignedVector<SurfaceVertex> vertices_;
   AlignedVector<float> positions_;
   AlignedVector<Triangle> triangles_;
-  MaterialView material_{};
+  MaterialView material_ = plain_material();
   std::uint8_t double_sided_ = 0;
   AlphaMode alpha_ = AlphaMode::opaque;
 };

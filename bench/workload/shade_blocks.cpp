@@ -32,12 +32,12 @@ struct BlockShader {
     }
     kernels.shade(a);
 
-    const int x = block % blocks_x * block_size, y = block / blocks_x * block_size;
+    const int across = gbuffer.blocks_x(), x = block % across * block_size, y = block / across * block_size;
     kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
-                          block_size,
-                          std::min(block_size, height - y),
-                          rgba + (std::size_t(y) * width + std::size_t(x)) * 4,
-                          std::size_t{4} * width});
+                          std::min(block_size, gbuffer.width() - x),
+                          std::min(block_size, gbuffer.height() - y),
+                          rgba + (std::size_t(y) * std::size_t(gbuffer.width()) + std::size_t(x)) * 4,
+                          std::size_t{4} * std::size_t(gbuffer.width())});
   }
 };
 
@@ -55,8 +55,9 @@ void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const S
   shader.args.dfg = surroundings.dfg;
   shader.args.fetch_ahead = 2 * block_floats;  // the next block but one
   // A row of blocks is a task: neighbours in memory stay on one core, and there are enough rows to even out.
-  parallel_for(blocks_y, [&](std::size_t row) {
-    for (int x = 0; x < blocks_x; ++x) shader.shade(int(row) * blocks_x + x);
+  parallel_for(std::size_t(gbuffer.blocks_y()), [&](std::size_t row) {
+    const int first = int(row) * gbuffer.blocks_x();
+    for (int x = 0; x < gbuffer.blocks_x(); ++x) shader.shade(first + x);
   });
 }
 

@@ -4,8 +4,8 @@
 
 namespace tessera::workload {
 
-/// Every pixel once: reads the G-buffer, writes `rgba` (width * height * 4 floats, top row first). No state is kept
-/// between frames.
+/// Every pixel once: reads the G-buffer, writes `rgba` (the G-buffer's width * height * 4 floats, top row first). No
+/// state is kept between frames.
 void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const Surroundings& surroundings,
                   const LightSet& lights, float* rgba);
 

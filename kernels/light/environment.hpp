@@ -2,6 +2,7 @@
 // environment BRDF from its table.
 #pragma once
 #include "kernels/interface.hpp"
+#include "kernels/light/cube_texels.hpp"
 #include "kernels/light/dfg_lookup.hpp"
 #include "kernels/math/vector.hpp"
 #include "kernels/simd.hpp"
@@ -38,51 +39,6 @@ inline constexpr int mantissa_bits = 23;
 template <>
 inline constexpr int mantissa_bits<double> = 52;
 
-/// Halves become floats by a shift, which leaves them 2^-112 times too small (exactly, subnormals included): the factor
-/// goes into the weights that they are multiplied by anyway. Signs are dropped; infinities and NaNs become numbers.
-template <class F>
-inline constexpr float texel_scale = 1;
-template <>
-inline constexpr float texel_scale<Float> = 0x1p112f;
-TESSERA_INLINE Float scaled_low_half(Int x) { return from_bits(shift_right_logical(x << 17, 4)); }
-TESSERA_INLINE Float scaled_high_half(Int x) { return from_bits(shift_right_logical(x, 3) & Int(0x0fffe000)); }
-
-/// Three channels of a texel and of its neighbour to the right.
-template <class F>
-struct TexelPair {
-  Vec3<F> left, right;
-};
-
-/// Two neighbours as they lie in memory, eight halves: the texels divided by texel_scale.
-TESSERA_INLINE TexelPair<Float> decode_texels(const Float (&words)[4]) {
-  const Int rg0 = bits(words[0]), b0 = bits(words[1]), rg1 = bits(words[2]), b1 = bits(words[3]);
-  return {{scaled_low_half(rg0), scaled_high_half(rg0), scaled_low_half(b0)},
-          {scaled_low_half(rg1), scaled_high_half(rg1), scaled_low_half(b1)}};
-}
-
-/// The texels index and index + 1 (counted from level 0), divided by texel_scale.
-template <class F>
-TESSERA_INLINE TexelPair<F> cube_texels(const CubeView& cube, IntOf<F> index) {
-  Float words[4];
-  gather_quads(reinterpret_cast<const float*>(cube.texels), index << 1, words);
-  return decode_texels(words);
-}
-// One lane at a time: the same texels for tests and set-up.
-template <class F>
-inline Vec3<F> cube_texel_scalar(const CubeView& cube, std::int64_t index) {
-  const std::uint16_t* texel = cube.texels + 4 * index;
-  return {F(half_to_float(std::int32_t(texel[0]))), F(half_to_float(std::int32_t(texel[1]))),
-          F(half_to_float(std::int32_t(texel[2])))};
-}
-template <>
-inline TexelPair<float> cube_texels<float>(const CubeView& cube, std::int32_t index) {
-  return {cube_texel_scalar<float>(cube, index), cube_texel_scalar<float>(cube, std::int64_t{index} + 1)};
-}
-template <>
-inline TexelPair<double> cube_texels<double>(const CubeView& cube, std::int64_t index) {
-  return {cube_texel_scalar<double>(cube, index), cube_texel_scalar<double>(cube, index + 1)};
-}
-
 /// Two texels of a row, the two below them, and what each counts for.
 template <class F>
 struct BilinearFootprint {
@@ -92,7 +48,7 @@ struct BilinearFootprint {
 
 /// The bilinear footprint, times weight, in the level of n = (float) ni texels along a face whose first texel has the
 /// index `start`. The border makes it seamless: no footprint leaves its face.
-template <class F>
+template <class Texels = HalfTexels, class F>
 TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> ni, IntOf<F> start, F weight) {
   using I = IntOf<F>;
   const F half = n * F(0.5);
@@ -107,7 +63,7 @@ TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F n, I
   BilinearFootprint<F> f;
   f.above = start + (p.face * row + j) * row + i;
   f.below = f.above + row;
-  const F scaled = weight * F(texel_scale<F>);
+  const F scaled = weight * F(texel_scale<Texels, F>);
   const F wy1 = fy * scaled, wy0 = scaled - wy1;
   f.w01 = fx * wy0;
   f.w00 = wy0 - f.w01;
@@ -126,9 +82,9 @@ TESSERA_INLINE Vec3<F> blend(const BilinearFootprint<F>& f, const TexelPair<F>& 
           channel(above.left.z, above.right.z, below.left.z, below.right.z)};
 }
 
-template <class F>
+template <class Texels = HalfTexels, class F>
 TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const BilinearFootprint<F>& f) {
-  const TexelPair<F> above = cube_texels<F>(cube, f.above), below = cube_texels<F>(cube, f.below);
+  const TexelPair<F> above = cube_texels<F>(Texels{}, cube, f.above), below = cube_texels<F>(Texels{}, cube, f.below);
   return blend(f, above, below);
 }
 
@@ -139,7 +95,7 @@ struct CubeLookup {
 };
 
 /// As sample_cube.
-template <class F>
+template <class Texels = HalfTexels, class F>
 TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const Vec3<F>& direction, F lod) {
   using I = IntOf<F>;
   const CubePoint<F> p = cube_point(direction);
@@ -154,12 +110,12 @@ TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const Vec3<F>& di
   const I start = ((size - ni) * (size + ni + I(6)) << 3) + fine * I(24);
   const I next = start + (ni + I(2)) * (ni + I(2)) * I(6);
   CubeLookup<F> lookup;
-  lookup.fine = cube_footprint(p, n, ni, start, F(1) - w);
+  lookup.fine = cube_footprint<Texels>(p, n, ni, start, F(1) - w);
   if (step == 0) {
     lookup.coarse = lookup.fine;
     lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
   } else {
-    lookup.coarse = cube_footprint(p, n * F(0.5), ni >> 1, next, w);
+    lookup.coarse = cube_footprint<Texels>(p, n * F(0.5), ni >> 1, next, w);
   }
   return lookup;
 }
@@ -175,11 +131,12 @@ TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubeP
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
 /// direction needs no unit length (1e-37 < length < 1e37); lod is clamped to the levels there are. Any bits give a
-/// texel of the cube: never a read outside it, and a finite result as its texels are. Cube size at most 4096.
-template <class F>
+/// texel of the cube: never a read outside it, and a finite result as its texels are. Cube size at most 4096. Texels
+/// must be what the cube's format says.
+template <class Texels = HalfTexels, class F>
 inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod) {
-  const CubeLookup<F> lookup = cube_lookup(cube, direction, lod);
-  return sample_footprint(cube, lookup.fine) + sample_footprint(cube, lookup.coarse);
+  const CubeLookup<F> lookup = cube_lookup<Texels>(cube, direction, lod);
+  return sample_footprint<Texels>(cube, lookup.fine) + sample_footprint<Texels>(cube, lookup.coarse);
 }
 
 /// As above with one lod for all lanes: a whole level is read once.

@@ -84,13 +84,13 @@ struct LobeSum {
 
 /// A wide round lobe reaches below the horizon of the surface, where the lobe that it stands for has nothing: its axis
 /// leans towards the normal, by lean alpha^2.
-template <class F>
+template <class Texels, class F>
 TESSERA_INLINE void add_tap(const EnvironmentView& environment, const Vec3<F>& n, const Vec3<F>& l, F alpha, F lean,
                             F weight, LobeSum<F>& sum) {
   const F a = min(alpha, F(1));
   const F leaning = a * a * lean;
   const Vec3<F> axis = lerp(l, n, leaning);
-  const Vec3<F> radiance = sample_cube(environment.specular, axis, specular_level(environment, sqrt(a)));
+  const Vec3<F> radiance = sample_cube<Texels>(environment.specular, axis, specular_level(environment, sqrt(a)));
   sum.radiance = {mul_add(weight, radiance.x, sum.radiance.x), mul_add(weight, radiance.y, sum.radiance.y),
                   mul_add(weight, radiance.z, sum.radiance.z)};
   sum.weight = sum.weight + weight;
@@ -120,7 +120,7 @@ struct TapSet<4> {
 
 /// Mean radiance over the lobe by `count` taps along its long axis. The nodes spread with the sine of the view angle:
 /// seen along the normal the lobe is round and all taps are one.
-template <int count, class F>
+template <class Texels, int count, class F>
 inline Vec3<F> sample_along_axis(const EnvironmentView& environment, const ShadingPoint<F>& p) {
   using Set = TapSet<count>;
   const LobeView<F> w = lobe_view(p);
@@ -138,7 +138,7 @@ inline Vec3<F> sample_along_axis(const EnvironmentView& environment, const Shadi
     const Vec3<F> l = {mul_add(w.n.x, lz, w.tangent.x * lx), mul_add(w.n.y, lz, w.tangent.y * lx),
                        mul_add(w.n.z, lz, w.tangent.z * lx)};
     const F alpha = wide * vb * neg_mul_add(y2, F(Set::narrowing), F(1));
-    add_tap(environment, w.n, l, alpha, F(Set::lean), F(Set::weight[k >> 1]) * visible_weight(w, lz), sum);
+    add_tap<Texels>(environment, w.n, l, alpha, F(Set::lean), F(Set::weight[k >> 1]) * visible_weight(w, lz), sum);
   }
   return mean_of(sum);
 }
@@ -152,7 +152,7 @@ inline constexpr double disc_share = 1.6, disc_lean = 1.0;
 /// sampling (Krivanek and Colbert 2008) at run time, over prefiltered radiance. The density of l at a point is G1(v) D
 /// / (4 n.v) with D = |b|^4 / (pi alpha^2), the round lobe's at its peak 1 / (4 pi alpha'^2): N points share the lobe
 /// at alpha' = alpha / |b|^2 sqrt(c (n.v + root(n.v)) / 2N).
-template <class F>
+template <class Texels, class F>
 inline Vec3<F> sample_points(const EnvironmentView& environment, const ShadingPoint<F>& p) {
   const LobeView<F> w = lobe_view(p);
   const Vec3<F> bitangent = cross(w.n, w.tangent);
@@ -172,7 +172,7 @@ inline Vec3<F> sample_points(const EnvironmentView& environment, const ShadingPo
     const Vec3<F> l = {mul_add(w.n.x, lz, mul_add(bitangent.x, ly, w.tangent.x * lx)),
                        mul_add(w.n.y, lz, mul_add(bitangent.y, ly, w.tangent.y * lx)),
                        mul_add(w.n.z, lz, mul_add(bitangent.z, ly, w.tangent.z * lx))};
-    add_tap(environment, w.n, l, share * per_b2, F(disc_lean), visible_weight(w, lz), sum);
+    add_tap<Texels>(environment, w.n, l, share * per_b2, F(disc_lean), visible_weight(w, lz), sum);
   }
   return mean_of(sum);
 }

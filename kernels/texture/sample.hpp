@@ -24,7 +24,14 @@ inline Float expand_half(Int half) {
   return min(x, (x + x) - Float(0x1p-14));
 }
 
-/// The wanted channels of one texel per lane: unorm as 0..255, half floats as they are.
+/// What a format's texels are filtered in units of.
+inline constexpr float texel_unit(TexelFormat format) {
+  return format == TexelFormat::rgba8_unorm     ? 1.0f / 255
+         : format == TexelFormat::rgba8_squares ? 1.0f / (255 * 255)
+                                                : 1.0f;
+}
+
+/// The wanted channels of one texel per lane: unorm as 0..255, their squares as 0..255^2, half floats as they are.
 template <TexelFormat format, unsigned channels>
 inline void fetch_texel(const void* texels, Int index, Float (&out)[4]) {
   if constexpr (format == TexelFormat::rgba8_unorm) {
@@ -33,6 +40,16 @@ inline void fetch_texel(const void* texels, Int index, Float (&out)[4]) {
     if constexpr (channels & channel_g) out[1] = to_float((rgba >> 8) & Int(255));
     if constexpr (channels & channel_b) out[2] = to_float((rgba >> 16) & Int(255));
     if constexpr (channels & channel_a) out[3] = to_float(shift_right_logical(rgba, 24));
+  } else if constexpr (format == TexelFormat::rgba8_squares) {
+    const Int rgba = gather_bytes(texels, index << 2);
+    const auto square = [](Int x) {
+      const Float value = to_float(x & Int(255));
+      return value * value;
+    };
+    if constexpr (channels & channel_r) out[0] = square(rgba);
+    if constexpr (channels & channel_g) out[1] = square(rgba >> 8);
+    if constexpr (channels & channel_b) out[2] = square(rgba >> 16);
+    if constexpr (channels & channel_a) out[3] = to_float(shift_right_logical(rgba, 24)) * Float(255);
   } else {
     const IntPair rgba = gather_pairs(texels, index << 3);
     const Int field(0x0fffe000);
@@ -75,10 +92,11 @@ inline void sample_format(const void* texels, const Footprint& f, Float (&out)[4
     sample_level<format, channels>(texels, f.coarse, f.one_tap, coarse);
     lerp_channels<channels>(fine, coarse, f.blend, out);
   }
-  if constexpr (format == TexelFormat::rgba8_unorm) {
-    static_assert(255.0f * (1.0f / 255.0f) == 1.0f);
+  if constexpr (format != TexelFormat::rgba16_float) {
+    constexpr float unit = texel_unit(format), largest = format == TexelFormat::rgba8_unorm ? 255 : 255 * 255;
+    static_assert(largest * unit == 1.0f);
     for (int c = 0; c < 4; ++c)
-      if (channels >> c & 1) out[c] = out[c] * Float(1.0f / 255.0f);
+      if (channels >> c & 1) out[c] = out[c] * Float(unit);
   }
 }
 
@@ -88,6 +106,8 @@ template <unsigned channels>
 [[gnu::noinline]] void sample(const TextureView& texture, const Footprint& f, Float (&out)[4]) {
   if (texture.format == TexelFormat::rgba8_unorm)
     sample_format<TexelFormat::rgba8_unorm, channels>(texture.texels, f, out);
+  else if (texture.format == TexelFormat::rgba8_squares)
+    sample_format<TexelFormat::rgba8_squares, channels>(texture.texels, f, out);
   else
     sample_format<TexelFormat::rgba16_float, channels>(texture.texels, f, out);
 }

@@ -10,15 +10,6 @@
 
 namespace tessera::cli {
 
-namespace {
-template <std::size_t N>
-std::size_t index_of(const std::array<const char*, N>& names, const char* option, const std::string& text) {
-  for (std::size_t k = 0; k < N; ++k)
-    if (text == names[k]) return k;
-  throw usage_error("{} '{}': expected {}", option, text, fmt::join(names, ", "));
-}
-}  // namespace
-
 const char* const lighting_help =
     R"(Environment maps are equirectangular, any format and size; their values are radiance (pictures of 8 or 16 bits: sRGB,
 decoded to it). With --env-rotation 0, column u
@@ -33,6 +24,7 @@ Lights (--light, as often as needed; colours are linear, angles in degrees from 
   point:x,y,z:candela[:r,g,b]                          E = I / d^2
   directional:dx,dy,dz:lux[:r,g,b]                     dx,dy,dz is where it shines to
   spot:x,y,z:dx,dy,dz:candela:inner,outer[:r,g,b]      full inside inner, none outside outer
+--light-cutoff fades them towards there, as a glTF light's range does; directional lights have no end.
 A white diffuse surface that faces 1 lux has radiance 1/pi; an environment of radiance 1 gives it radiance 1.)";
 
 void add_lighting_options(CLI::App& command, LightingOptions& options) {
@@ -71,6 +63,31 @@ void add_lighting_options(CLI::App& command, LightingOptions& options) {
       .add_flag("--specular-occlusion", options.specular_occlusion,
                 "Occlude reflections by angle and roughness, not by the occlusion map alone (=false: not)")
       ->group(group);
+  command
+      .add_option("--env-albedo", options.albedo,
+                  fmt::format("The environment BRDF: {} (default: table)", fmt::join(environment_albedo_names, ", ")))
+      ->type_name("FORM")
+      ->group(group);
+  command
+      .add_option("--env-size", options.size,
+                  "Texels along a face of the sharpest reflections, a power of two (default: up to 256)")
+      ->type_name("N")
+      ->group(group);
+  command
+      .add_option("--env-texels", options.texels,
+                  "How reflections are stored: half, or rgb9e5 in half the memory (default: half)")
+      ->type_name("FORMAT")
+      ->group(group);
+  command
+      .add_option("--env-irradiance", options.irradiance,
+                  "Diffuse light from harmonics (sh), a cube, or auto: sh unless it would ring below 0 (default: auto)")
+      ->type_name("FORM")
+      ->group(group);
+  command
+      .add_option("--light-cutoff", options.cutoff,
+                  "Let point and spot lights end where they fall to this illuminance (default: 0)")
+      ->type_name("LUX")
+      ->group(group);
   command.add_option("--light", options.lights, "Another light; may be repeated: see below")
       ->type_name("SPEC")
       ->allow_extra_args(false)
@@ -84,7 +101,8 @@ std::vector<Light> parse_lights(const LightingOptions& options) {
   return lights;
 }
 
-ChosenEnvironment make_environment(const LightingOptions& options, bool has_lights, const Kernels& kernels) {
+ChosenEnvironment make_environment(const LightingOptions& options, const RenderSettings& settings, bool has_lights,
+                                   const Kernels& kernels, bool several) {
   if (!(options.intensity >= 0 && options.intensity <= 1e6))
     throw usage_error("--env-intensity {}: expected 0 to 1e6", options.intensity);
   if (!(options.rotation >= -36000 && options.rotation <= 36000))
@@ -97,18 +115,30 @@ ChosenEnvironment make_environment(const LightingOptions& options, bool has_ligh
       throw usage_error("{}: a baked environment has its rotation and intensity: give them to 'tessera bake'",
                         options.environment);
     chosen.environment = std::make_unique<Environment>(read_environment(options.environment));
-    if (const auto& light = chosen.environment->data().light) chosen.lights.push_back(directional_light(*light));
+    const EnvironmentData& data = chosen.environment->data();
+    if (settings.environment_size != 0 && settings.environment_size != data.specular.size())
+      throw usage_error("{}: reflections of size {} are asked for, but it has {}: give the size to 'tessera bake'",
+                        options.environment, settings.environment_size, data.specular.size());
+    if (data.light) chosen.lights.push_back(directional_light(*data.light));
     return chosen;
   }
-  EnvironmentSettings settings;
-  settings.rotation = static_cast<float>(options.rotation * radians_per_degree);
-  settings.intensity = static_cast<float>(options.intensity);
-  const EnvironmentPicture picture = chosen.neutral
-                                         ? EnvironmentPicture{neutral_environment(), false}
-                                         : read_environment_picture({options.environment}, options.layout, kernels);
-  chosen.environment = std::make_unique<Environment>(build_environment(picture, settings, kernels));
+  EnvironmentSettings baking;
+  baking.rotation = static_cast<float>(options.rotation * radians_per_degree);
+  baking.intensity = static_cast<float>(options.intensity);
+  baking.specular_size = settings.environment_size;
+  baking.keep_cube = several || settings.environment_irradiance == IrradianceForm::cube;
+  const auto picture = std::make_shared<const EnvironmentPicture>(
+      chosen.neutral ? EnvironmentPicture{neutral_environment(), false}
+                     : read_environment_picture({options.environment}, options.layout, kernels));
+  chosen.environment = std::make_unique<Environment>(build_environment(*picture, baking, kernels));
   // Slightly negative texels are ordinary ringing of a resize; they are taken as 0 and not worth a word.
   chosen.warnings = environment_warnings(options.environment, chosen.environment->report(), false);
+  if (!several) return chosen;
+  chosen.bake = [picture, baking, &kernels](int size) {
+    EnvironmentSettings other = baking;
+    other.specular_size = size;
+    return std::make_unique<Environment>(build_environment(*picture, other, kernels));
+  };
   return chosen;
 }
 
@@ -125,15 +155,24 @@ std::vector<std::string> environment_warnings(const std::string& name, const Env
   return warnings;
 }
 
-EnvironmentShading parse_environment_shading(const LightingOptions& options, const RenderSettings& settings) {
-  EnvironmentShading shading = settings.environment_shading;
-  if (!options.lobe.empty())
-    shading.lobe = static_cast<EnvironmentLobe>(index_of(environment_lobe_names, "--env-lobe", options.lobe));
-  if (!options.fresnel.empty())
-    shading.fresnel =
-        static_cast<EnvironmentFresnel>(index_of(environment_fresnel_names, "--env-fresnel", options.fresnel));
+void apply_lighting_options(const LightingOptions& options, RenderSettings& settings) {
+  EnvironmentShading& shading = settings.environment_shading;
+  choose_word(shading.lobe, environment_lobe_names, "--env-lobe", options.lobe);
+  choose_word(shading.fresnel, environment_fresnel_names, "--env-fresnel", options.fresnel);
+  choose_word(shading.albedo, environment_albedo_names, "--env-albedo", options.albedo);
+  choose_word(settings.environment_texels, environment_texel_names, "--env-texels", options.texels);
+  choose_word(settings.environment_irradiance, irradiance_form_names, "--env-irradiance", options.irradiance);
   if (options.specular_occlusion != 0) shading.specular_occlusion = options.specular_occlusion > 0;
-  return shading;
+  if (options.size) {
+    settings.environment_size = *options.size;
+    if (*options.size < 1 || *options.size > max_cube_size || (*options.size & (*options.size - 1)) != 0)
+      throw usage_error("--env-size {}: expected a power of two up to {}", *options.size, max_cube_size);
+  }
+  if (options.cutoff) {
+    if (!(*options.cutoff >= 0 && *options.cutoff <= 1e6))
+      throw usage_error("--light-cutoff {}: expected 0 to 1e6 lux", *options.cutoff);
+    settings.light_cutoff = static_cast<float>(*options.cutoff);
+  }
 }
 
 Light directional_light(const DominantLight& dominant) {

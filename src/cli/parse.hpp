@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.hpp"
 #include "frame/settings.hpp"
 #include "kernels/interface.hpp"
 #include "scene/light.hpp"
@@ -31,6 +32,19 @@ BackgroundChoice parse_background(std::string_view text, const Kernels& kernels)
 /// "point:x,y,z:candela[:r,g,b]", "directional:dx,dy,dz:lux[:r,g,b]" or
 /// "spot:x,y,z:dx,dy,dz:candela:inner,outer[:r,g,b]"
 Light parse_light(const std::string& text);
+
+/// The enumeration's value that `text` is the name of; nothing happens if text is empty.
+template <class Enumeration, std::size_t N>
+void choose_word(Enumeration& value, const std::array<const char*, N>& names, const char* option,
+                 const std::string& text) {
+  if (text.empty()) return;
+  for (std::size_t k = 0; k < N; ++k)
+    if (text == names[k]) {
+      value = static_cast<Enumeration>(k);
+      return;
+    }
+  throw usage_error("{} '{}': expected {}", option, text, fmt::join(names, ", "));
+}
 
 ToneCurve parse_tone_curve(std::string_view text);
 

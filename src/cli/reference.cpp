@@ -83,7 +83,7 @@ struct Light360 {
 };
 
 Light360 load_environment(const LightingOptions& lighting, const Kernels& kernels) {
-  ChosenEnvironment shown = make_environment(lighting, false, kernels);
+  ChosenEnvironment shown = make_environment(lighting, {}, false, kernels);
   const double rotation = lighting.rotation * radians_per_degree;
   if (shown.neutral)
     return {{sphere_picture({neutral_environment(), false}, lighting.intensity), rotation}, std::move(shown)};

@@ -15,6 +15,7 @@
 #include "cli/profile.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
+#include "cli/texture_options.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/gbuffer_file.hpp"
 #include "frame/settings_file.hpp"
@@ -29,6 +30,7 @@ struct Options {
   std::optional<int> samples;  // not given: that file's, or the default
   CameraOptions camera;
   LightingOptions lighting;
+  TextureOptions textures;
   PictureOptions picture;
   MachineOptions machine;
 };
@@ -95,7 +97,8 @@ void run_render(const Options& options) {
   settings.samples = options.samples.value_or(settings.samples);
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
-  settings.environment_shading = parse_environment_shading(options.lighting, settings);
+  apply_lighting_options(options.lighting, settings);
+  apply_texture_options(options.textures, settings);
   set_background(options.picture, false, kernels, settings);
   validate(settings);
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
@@ -121,7 +124,7 @@ void run_render(const Options& options) {
   progress.begin("preparing the environment");
   watch = {};
   ChosenEnvironment environment;
-  with_threads([&] { environment = make_environment(options.lighting, !scene.lights.empty(), kernels); });
+  with_threads([&] { environment = make_environment(options.lighting, settings, !scene.lights.empty(), kernels); });
   run.environment_ms = watch.ms();
   run.end_phase("environment");
   scene.lights.insert(scene.lights.end(), environment.lights.begin(), environment.lights.end());
@@ -131,7 +134,8 @@ void run_render(const Options& options) {
   Frame frame;
   {
     std::unique_ptr<Renderer> renderer;
-    with_threads([&] { renderer = std::make_unique<Renderer>(scene, environment.environment.get(), kernels); });
+    with_threads(
+        [&] { renderer = std::make_unique<Renderer>(scene, environment.environment.get(), kernels, settings); });
     run.end_phase("prepare");
     progress.begin("rendering");
     settings.progress = [&](std::size_t done, std::size_t all) { progress.set_fraction(done, all); };
@@ -195,7 +199,7 @@ void add_render(CLI::App& program) {
       ->group("Picture");
   command
       ->add_option("--settings", options->settings,
-                   "Samples and the environment's options from a file of 'tessera tune'; options given here win")
+                   "A file of 'tessera tune': samples, and options of light and textures; those given here win")
       ->type_name("FILE.json")
       ->group("Picture");
   command->add_option("--aov", options->aovs, "More layers to write, with commas between them: see below")
@@ -203,6 +207,7 @@ void add_render(CLI::App& program) {
       ->group("Picture");
   add_camera_options(*command, options->camera);
   add_lighting_options(*command, options->lighting);
+  add_texture_options(*command, options->textures);
   add_machine_options(*command, options->machine);
   command->footer(footer());
   command->callback([options] { run_render(*options); });

@@ -57,7 +57,7 @@ void run_shade(const Options& options) {
   RenderSettings settings;
   settings.threads = options.machine.threads;
   settings.trace = !options.machine.trace.empty();
-  settings.environment_shading = parse_environment_shading(options.lighting, settings);
+  apply_lighting_options(options.lighting, settings);
   set_background(options.picture, false, kernels, settings);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -80,7 +80,7 @@ void run_shade(const Options& options) {
   progress.begin("preparing the environment");
   watch = {};
   ChosenEnvironment environment;
-  with_threads([&] { environment = make_environment(options.lighting, !lights.empty(), kernels); });
+  with_threads([&] { environment = make_environment(options.lighting, settings, !lights.empty(), kernels); });
   run.environment_ms = watch.ms();
   run.end_phase("environment");
   lights.insert(lights.end(), environment.lights.begin(), environment.lights.end());

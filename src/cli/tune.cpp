@@ -1,7 +1,9 @@
 // tessera tune: the cheapest settings that stay within an error, measured on a scene.
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -13,23 +15,26 @@
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
 #include "cli/text.hpp"
+#include "cli/texture_options.hpp"
 #include "cli/tune_report.hpp"
 #include "cli/tune_subject.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/settings_file.hpp"
 #include "io/gltf.hpp"
+#include "io/output_file.hpp"
 
 namespace tessera::cli {
 namespace {
 
 struct Options {
-  std::string scene, size = "1920x1080", results;
+  std::string scene, size = "1920x1080", results, chart;
   double max_error = 1;
   std::optional<double> max_p99;
   int frames = 5;
   std::optional<int> samples;
   CameraOptions camera;
   LightingOptions lighting;
+  TextureOptions textures;
   PictureOptions picture;  // its output is the file of settings
   MachineOptions machine;
 };
@@ -41,29 +46,58 @@ PictureError check(const Options& options) {
   if (options.max_p99 && !(*options.max_p99 >= 0 && *options.max_p99 <= 255))
     throw usage_error("--max-p99 {}: expected 0 to 255 display steps", *options.max_p99);
   if (options.frames < 1 || options.frames > 1000) throw usage_error("--frames {}: expected 1 to 1000", options.frames);
-  if (options.picture.output == "-" && options.results == "-")
-    throw usage_error("only one of -o and --results can be standard output");
-  for (const std::string& path : {options.picture.output, options.results})
+  if ((options.picture.output == "-") + (options.results == "-") + (options.chart == "-") > 1)
+    throw usage_error("only one of -o, --results and --chart can be standard output");
+  for (const std::string& path : {options.picture.output, options.results, options.chart})
     if (!path.empty()) check_writable(path);
   return {options.max_error, options.max_p99.value_or(std::numeric_limits<double>::infinity())};
 }
 
-bool has_occlusion(const Scene& scene) {
-  for (const Material& material : scene.materials)
-    if (material.occlusion_texture.texture >= 0) return true;
-  return false;
+// What a person has chosen goes into settings and is not varied: the keys of that.
+std::set<std::string> take_given(const Options& options, RenderSettings& settings) {
+  settings.samples = options.samples.value_or(settings.samples);
+  apply_lighting_options(options.lighting, settings);
+  apply_texture_options(options.textures, settings);
+  const LightingOptions& light = options.lighting;
+  std::set<std::string> given;
+  for (const auto& [key, chosen] : {std::pair{"samples", options.samples.has_value()},
+                                    {"env-lobe", !light.lobe.empty()},
+                                    {"env-fresnel", !light.fresnel.empty()},
+                                    {"specular-occlusion", light.specular_occlusion != 0},
+                                    {"env-albedo", !light.albedo.empty()},
+                                    {"env-size", light.size.has_value()},
+                                    {"env-texels", !light.texels.empty()},
+                                    {"env-irradiance", !light.irradiance.empty()},
+                                    {"light-cutoff", light.cutoff.has_value()},
+                                    {"texture-filter", !options.textures.filter.empty()},
+                                    {"color-texels", !options.textures.colors.empty()}})
+    if (chosen) given.insert(key);
+  return given;
 }
 
-// What a person has chosen is not varied.
-void fix_given(const Options& options, TuneKnobs& knobs) {
-  RenderSettings settings;
-  settings.samples = options.samples.value_or(settings.samples);
-  validate(settings);
-  const EnvironmentShading shading = parse_environment_shading(options.lighting, settings);
-  if (options.samples) knobs.samples = {settings.samples};
-  if (!options.lighting.lobe.empty()) knobs.lobes = {shading.lobe};
-  if (!options.lighting.fresnel.empty()) knobs.fresnels = {shading.fresnel};
-  if (options.lighting.specular_occlusion != 0) knobs.specular_occlusion = {shading.specular_occlusion};
+// Sizes of reflections that are worth a try.
+std::vector<int> sizes_of(const Environment& environment) {
+  std::vector<int> sizes;
+  for (int size = std::min(environment.data().background.size(), 512); size >= 32; size /= 2) sizes.push_back(size);
+  return sizes;
+}
+
+TuneTraits traits_of(const Scene& scene, const ChosenEnvironment& environment, const Look& look) {
+  TuneTraits traits = cli::traits_of(scene);
+  traits.exposure = look.exposure;
+  if (environment.environment == nullptr) return traits;
+  const EnvironmentData& data = environment.environment->data();
+  traits.environment = true;
+  traits.irradiance_cube = !data.irradiance.empty();
+  traits.irradiance_from_cube = data.uses_cube;
+  if (environment.bake) traits.environment_sizes = sizes_of(*environment.environment);
+  return traits;
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
 }
 
 void run_tune(const Options& options) {
@@ -77,11 +111,10 @@ void run_tune(const Options& options) {
   settings.threads = options.machine.threads;
   settings.hash = false;
   set_background(options.picture, false, kernels, settings);
+  const std::set<std::string> given = take_given(options, settings);
   validate(settings);
   if (settings.background == Background::transparent)
     throw usage_error("--background transparent: a display shows no such thing; expected env or a colour");
-  TuneKnobs ignored;
-  fix_given(options, ignored);  // what is wrong about them is said before the work begins
   const std::vector<Light> extra_lights = parse_lights(options.lighting);
 
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -97,11 +130,12 @@ void run_tune(const Options& options) {
 
   progress.begin("preparing");
   ChosenEnvironment environment;
-  with_threads([&] { environment = make_environment(options.lighting, !scene.lights.empty(), kernels); });
+  with_threads(
+      [&] { environment = make_environment(options.lighting, settings, !scene.lights.empty(), kernels, true); });
   scene.lights.insert(scene.lights.end(), environment.lights.begin(), environment.lights.end());
   set_background(options.picture, environment.neutral, kernels, settings);
   std::unique_ptr<Renderer> renderer;
-  with_threads([&] { renderer = std::make_unique<Renderer>(scene, environment.environment.get(), kernels); });
+  with_threads([&] { renderer = std::make_unique<Renderer>(scene, environment.environment.get(), kernels, settings); });
 
   TuneReport report;
   report.scene = options.scene;
@@ -109,30 +143,29 @@ void run_tune(const Options& options) {
   report.frames = options.frames;
   report.width = settings.width;
   report.height = settings.height;
-  report.knobs = make_knobs(environment.environment != nullptr, has_occlusion(scene));
-  fix_given(options, report.knobs);
+  report.base = settings;
+  report.knobs = make_knobs(traits_of(scene, environment, look), given);
 
-  TuneSubject subject(*renderer, view, look, kernels);
-  const auto settings_of = [&](const KnobChoice& choice) {
-    RenderSettings chosen = settings;
-    report.knobs.apply(choice, chosen);
-    return chosen;
-  };
+  Environments environments(std::move(environment.environment), environment.bake);
+  TuneSubject subject(*renderer, environments, view, look, kernels);
+  const auto settings_of = [&](const KnobChoice& choice) { return report.settings_of(choice); };
   const std::vector<int> counts = report.knobs.counts();
   report.pixels = subject.set_exact(settings_of(KnobChoice(counts.size(), 0)));
   if (report.pixels == 0) throw input_error("{}: the camera sees nothing of the scene: nothing to tune", options.scene);
 
-  const char* const stages[] = {"measuring each setting alone", "measuring combinations"};
-  progress.begin(stages[0]);
-  report.points = search({counts,
-                          {report.knobs.defaults()},
-                          options.frames,
-                          [&](const KnobChoice& choice) { return subject.error(settings_of(choice)); },
-                          [&](const KnobChoice& choice) { return subject.frame_ms(settings_of(choice)); },
-                          [&](bool combining, std::size_t done, std::size_t total) {
-                            if (combining && done == 1) progress.begin(stages[1]);
-                            progress.set_fraction(done, total);
-                          }});
+  progress.begin("measuring each setting alone");
+  KnobSearch knob_search;
+  knob_search.choices = counts;
+  knob_search.besides = {report.knobs.defaults()};
+  knob_search.rounds = options.frames;
+  knob_search.limit = limit.mean;
+  knob_search.error = [&](const KnobChoice& choice) { return subject.error(settings_of(choice)); };
+  knob_search.cost = [&](const KnobChoice& choice) { return subject.frame_ms(settings_of(choice)); };
+  knob_search.progress = [&](bool combining, std::size_t done, std::size_t total) {
+    if (combining && done == 1) progress.begin("measuring combinations");
+    progress.set_fraction(done, total);
+  };
+  report.points = search(knob_search);
   progress.finish();
   report.chosen = cheapest_within(report.points, limit);
   report.isa = subject.statistics().isa;
@@ -141,13 +174,14 @@ void run_tune(const Options& options) {
   const KnobPoint& chosen = report.points[report.chosen];
   const std::string about = fmt::format("{} at {} x {}: {} ({}, {} threads)", options.scene, report.width,
                                         report.height, result_of(chosen), report.isa, report.threads);
-  if (!options.results.empty()) write_results(options.results, report);
+  if (!options.results.empty()) write_text(options.results, results_of(report));
+  if (!options.chart.empty()) write_text(options.chart, chart_of(report));
   if (!options.picture.output.empty()) write_settings(options.picture.output, settings_of(chosen.choice), about);
   if (options.machine.quiet) return;
   for (const std::string& warning : read.warnings) warn(warning);
   for (const std::string& warning : environment.warnings) warn(warning);
-  // Standard output may already have the JSON.
-  const bool taken = options.picture.output == "-" || options.results == "-";
+  // Standard output may already have something else.
+  const bool taken = options.picture.output == "-" || options.results == "-" || options.chart == "-";
   const std::string table = table_of(report);
   if (taken)
     std::fputs(table.c_str(), stderr);
@@ -156,20 +190,31 @@ void run_tune(const Options& options) {
 }
 
 constexpr const char* footer = R"(Examples:
-  tessera tune scene.glb --env courtyard.exr --max-error 2 -o settings.json
+  tessera tune scene.glb --env courtyard.exr --max-error 2 -o settings.json --chart tune.svg
   tessera render scene.glb --env courtyard.exr --settings settings.json -o out.png
   tessera tune scene.glb --env courtyard.exr --samples 4 --max-p99 8 --results results.json
 
-Varied are the samples per pixel (1 to 16) and, with an environment, its lobe, its Fresnel form and, where the scene has occlusion
-maps, specular occlusion. A setting that is given (--samples, --env-lobe, --env-fresnel, --specular-occlusion[=false]) is kept.
-Exact is what lies nearest to ground truth: 16 samples, taps4, f0 ('tessera chart ibl' compares the lobes), and specular occlusion
-(Lagarde and de Rousiers 2014).
+Varied are, as far as the scene has what they change (the exact choice first; a setting that is given is kept):
+  --samples             16, 8, 4, 2, 1
+  --env-lobe            taps4, fis8, taps2, shifted, n=v ('tessera chart ibl' compares them)
+  --env-fresnel         f0, kS
+  --specular-occlusion  with (Lagarde and de Rousiers 2014), without
+  --env-albedo          table, fit, small-fit: the environment BRDF
+  --env-size            512 or what the picture has, down to 32: texels along a face of the reflections
+  --env-texels          half, rgb9e5
+  --env-irradiance      cube, sh
+  --light-cutoff        none; 0.001, 0.01, 0.1 lux at an exposure of 0
+  --texture-filter      file, nearest-mip, no-mips, nearest
+  --color-texels        half, 8bit
 
 Errors count display steps, the 256 values of an 8-bit channel after exposure and tone curve, against the exact settings' picture,
 over the pixels that show any of the scene: the mean absolute difference of all channels, and the largest difference of a pixel's
 channels that 99 % of the pixels do not exceed. They are the same on every machine.
-Cost is the median time of a frame with everything prepared, on --threads threads of this machine; all settings take turns.
-Each setting is varied alone; then those values are combined beside which no other is both nearer and clearly (5 %) cheaper.
+Cost is the time of the fastest of --frames frames with everything prepared, on --threads threads of this machine; all settings
+take turns.
+Each setting is varied alone; then those values are combined beside which no other is both nearer and clearly (5 %) cheaper. Of
+more than 72 combinations those are measured that the single ones promise to be the cheapest within the limit, or on the frontier,
+and then neighbours of what was found there.
 Chosen is the cheapest within the limits; of those that cost at most 2 % more, the one with the smallest mean error.)";
 
 }  // namespace
@@ -204,10 +249,14 @@ void add_tune(CLI::App& program) {
   command->add_option("--results", options->results, "Everything that was measured, as JSON")
       ->type_name("FILE.json")
       ->group(group);
+  command->add_option("--chart", options->chart, "The frontier of cost and error as a picture")
+      ->type_name("FILE.svg")
+      ->group(group);
   command->add_option("--size", options->size, "Pixels")->type_name("WxH")->capture_default_str()->group("Picture");
   add_look_options(*command, options->picture);
   add_camera_options(*command, options->camera);
   add_lighting_options(*command, options->lighting);
+  add_texture_options(*command, options->textures);
   add_running_options(*command, options->machine);
   command->footer(footer);
   command->callback([options] { run_tune(*options); });

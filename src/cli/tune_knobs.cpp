@@ -7,58 +7,137 @@
 namespace tessera::cli {
 namespace {
 
-template <class T, class U>
-int index_or_first(const std::vector<T>& values, const U& value) {
-  const auto found = std::find(values.begin(), values.end(), value);
-  return found == values.end() ? 0 : static_cast<int>(found - values.begin());
+// at(settings) is the setting; it may take these values. standard: the default among them.
+template <class T, class At>
+TuneKnob knob(const char* key, std::vector<T> values, std::vector<std::string> words, const T& standard, At at) {
+  const auto found = std::find(values.begin(), values.end(), standard);
+  const int index = found == values.end() ? 0 : static_cast<int>(found - values.begin());
+  return {key, std::move(words), index, [values = std::move(values), at](int choice, RenderSettings& settings) {
+            at(settings) = values.at(static_cast<std::size_t>(choice));
+          }};
 }
 
-std::size_t at(const KnobChoice& choice, std::size_t knob) { return static_cast<std::size_t>(choice.at(knob)); }
+// Values of an enumeration, by their names in settings.hpp.
+template <class T, std::size_t N, class At>
+TuneKnob named_knob(const char* key, const std::vector<T>& values, const std::array<const char*, N>& names,
+                    const char* after, const T& standard, At at) {
+  std::vector<std::string> words;
+  for (const T value : values) words.push_back(std::string(names.at(static_cast<std::size_t>(value))) + after);
+  return knob(key, values, words, standard, at);
+}
+
+TuneKnob samples_knob() {
+  std::vector<std::string> words;
+  const std::vector<int> counts(sample_counts.rbegin(), sample_counts.rend());
+  for (const int count : counts) words.push_back(fmt::format("{} sample{}", count, count == 1 ? "" : "s"));
+  return knob(
+      "samples", counts, words, RenderSettings{}.samples, [](auto& s) -> auto& { return s.samples; });
+}
+
+void add_environment_knobs(const TuneTraits& traits, std::vector<TuneKnob>& list) {
+  using S = RenderSettings;
+  const S standard;
+  const EnvironmentShading& shading = standard.environment_shading;
+  list.push_back(named_knob<EnvironmentLobe>(
+      "env-lobe",
+      {EnvironmentLobe::taps4, EnvironmentLobe::points8, EnvironmentLobe::taps2, EnvironmentLobe::shifted,
+       EnvironmentLobe::mirror},
+      environment_lobe_names, "", shading.lobe, [](S & s) -> auto& { return s.environment_shading.lobe; }));
+  list.push_back(named_knob<EnvironmentFresnel>(
+      "env-fresnel", {EnvironmentFresnel::f0, EnvironmentFresnel::roughness}, environment_fresnel_names, "",
+      shading.fresnel, [](S & s) -> auto& { return s.environment_shading.fresnel; }));
+  if (traits.occlusion)
+    list.push_back(knob<bool>(
+        "specular-occlusion", {true, false}, {"specular occlusion", "no specular occlusion"},
+        shading.specular_occlusion, [](S & s) -> auto& { return s.environment_shading.specular_occlusion; }));
+  list.push_back(named_knob<EnvironmentAlbedo>(
+      "env-albedo", {EnvironmentAlbedo::table, EnvironmentAlbedo::fit, EnvironmentAlbedo::small_fit},
+      environment_albedo_names, "", shading.albedo, [](S & s) -> auto& { return s.environment_shading.albedo; }));
+  std::vector<std::string> sizes;
+  for (const int size : traits.environment_sizes) sizes.push_back(fmt::format("{}² cube", size));
+  if (sizes.size() > 1)
+    list.push_back(knob(
+        "env-size", traits.environment_sizes, sizes, 256, [](S & s) -> auto& { return s.environment_size; }));
+  list.push_back(named_knob<CubeFormat>(
+      "env-texels", {CubeFormat::rgba16_float, CubeFormat::rgb9_e5}, environment_texel_names, " cube",
+      standard.environment_texels, [](S & s) -> auto& { return s.environment_texels; }));
+  if (traits.irradiance_cube)
+    list.push_back(knob<IrradianceForm>(
+        "env-irradiance", {IrradianceForm::cube, IrradianceForm::harmonics}, {"irradiance cube", "harmonics"},
+        traits.irradiance_from_cube ? IrradianceForm::cube : IrradianceForm::harmonics,
+        [](S & s) -> auto& { return s.environment_irradiance; }));
+}
+
+// A white surface that faces 0.001 lux has radiance 0.0003, which on black is a twelfth of a display step... and as
+// much as one step where sRGB is linear.
+TuneKnob cutoff_knob(float exposure) {
+  std::vector<float> cutoffs = {0};
+  std::vector<std::string> words = {"lights without end"};
+  for (const float at_exposure_1 : {0.001f, 0.01f, 0.1f}) {
+    cutoffs.push_back(std::min(at_exposure_1 / exposure, 1e6f));
+    words.push_back(fmt::format("lights to {:.3g} lux", cutoffs.back()));
+  }
+  return knob(
+      "light-cutoff", cutoffs, words, RenderSettings{}.light_cutoff,
+      [](RenderSettings & s) -> auto& { return s.light_cutoff; });
+}
 
 }  // namespace
 
+TuneTraits traits_of(const Scene& scene) {
+  TuneTraits traits;
+  for (const Material& m : scene.materials) {
+    traits.occlusion |= m.occlusion_texture.texture >= 0;
+    traits.color_textures |= m.base_color_texture.texture >= 0 || m.emissive_texture.texture >= 0;
+    traits.textures |= traits.occlusion || traits.color_textures || m.metallic_roughness_texture.texture >= 0 ||
+                       m.normal_texture.texture >= 0;
+  }
+  for (const Light& light : scene.lights) traits.ranged_lights |= light.type != LightType::directional;
+  return traits;
+}
+
 std::vector<int> TuneKnobs::counts() const {
-  return {static_cast<int>(samples.size()), static_cast<int>(lobes.size()), static_cast<int>(fresnels.size()),
-          static_cast<int>(specular_occlusion.size())};
+  std::vector<int> all;
+  for (const TuneKnob& k : list) all.push_back(static_cast<int>(k.words.size()));
+  return all;
 }
 
 void TuneKnobs::apply(const KnobChoice& choice, RenderSettings& settings) const {
-  settings.samples = samples.at(at(choice, 0));
-  settings.environment_shading = {lobes.at(at(choice, 1)), fresnels.at(at(choice, 2)),
-                                  specular_occlusion.at(at(choice, 3))};
+  for (std::size_t k = 0; k < list.size(); ++k) list[k].apply(choice.at(k), settings);
 }
 
 KnobChoice TuneKnobs::defaults() const {
-  const RenderSettings settings;
-  const EnvironmentShading& shading = settings.environment_shading;
-  return {index_or_first(samples, settings.samples), index_or_first(lobes, shading.lobe),
-          index_or_first(fresnels, shading.fresnel), index_or_first(specular_occlusion, shading.specular_occlusion)};
+  KnobChoice choice;
+  for (const TuneKnob& k : list) choice.push_back(k.standard);
+  return choice;
 }
 
-TuneKnobs make_knobs(bool has_environment, bool has_occlusion) {
-  const EnvironmentShading standard = RenderSettings{}.environment_shading;
-  TuneKnobs knobs = {{sample_counts.rbegin(), sample_counts.rend()},
-                     {standard.lobe},
-                     {standard.fresnel},
-                     {standard.specular_occlusion}};
-  if (!has_environment) return knobs;
-  knobs.lobes = {EnvironmentLobe::taps4, EnvironmentLobe::points8, EnvironmentLobe::taps2, EnvironmentLobe::shifted,
-                 EnvironmentLobe::mirror};
-  knobs.fresnels = {EnvironmentFresnel::f0, EnvironmentFresnel::roughness};
-  if (has_occlusion) knobs.specular_occlusion = {true, false};
+std::string TuneKnobs::describe(const KnobChoice& choice) const {
+  const bool exact = std::all_of(choice.begin(), choice.end(), [](int k) { return k == 0; });
+  std::string text;
+  for (std::size_t k = 0; k < list.size(); ++k)
+    if (exact || choice.at(k) != 0)
+      text += (text.empty() ? "" : ", ") + list[k].words.at(static_cast<std::size_t>(choice.at(k)));
+  return text.empty() ? "nothing to vary" : text;
+}
+
+TuneKnobs make_knobs(const TuneTraits& traits, const std::set<std::string>& given) {
+  TuneKnobs knobs;
+  knobs.list.push_back(samples_knob());
+  if (traits.environment) add_environment_knobs(traits, knobs.list);
+  if (traits.ranged_lights) knobs.list.push_back(cutoff_knob(traits.exposure));
+  if (traits.textures)
+    knobs.list.push_back(knob<TextureFilter>(
+        "texture-filter",
+        {TextureFilter::file, TextureFilter::nearest_mip, TextureFilter::no_mips, TextureFilter::nearest},
+        {"textures as filed", "nearest mip", "no mips", "nearest texel"}, TextureFilter::file,
+        [](RenderSettings & s) -> auto& { return s.texture_filter; }));
+  if (traits.color_textures)
+    knobs.list.push_back(knob<ColorTexels>(
+        "color-texels", {ColorTexels::halves, ColorTexels::bytes}, {"half colours", "8-bit colours"},
+        ColorTexels::halves, [](RenderSettings & s) -> auto& { return s.color_texels; }));
+  std::erase_if(knobs.list, [&](const TuneKnob& k) { return given.contains(k.key); });
   return knobs;
-}
-
-std::string describe(const TuneKnobs& knobs, const KnobChoice& choice) {
-  RenderSettings s;
-  knobs.apply(choice, s);
-  const EnvironmentShading& shading = s.environment_shading;
-  std::string text = fmt::format("{} sample{}", s.samples, s.samples == 1 ? "" : "s");
-  if (knobs.lobes.size() > 1) text += fmt::format(", {}", environment_lobe_names.at(std::size_t(shading.lobe)));
-  if (knobs.fresnels.size() > 1)
-    text += fmt::format(", {}", environment_fresnel_names.at(std::size_t(shading.fresnel)));
-  if (knobs.specular_occlusion.size() > 1) text += shading.specular_occlusion ? ", specular occlusion" : "";
-  return text;
 }
 
 }  // namespace tessera::cli

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "chart/frontier_plot.hpp"
+#include "chart/markup.hpp"
 #include "cli/text.hpp"
 #include "cli/tune_chart.hpp"
-#include "io/output_file.hpp"
+#include "frame/settings_file.hpp"
 
 namespace tessera::cli {
 namespace {
@@ -31,9 +34,12 @@ std::vector<std::size_t> cheapest_first(const std::vector<KnobPoint>& points) {
 // A letter for each point of the frontier, the choice included; '.' for the rest.
 std::vector<char> marks_of(const TuneReport& r, const std::vector<std::size_t>& order) {
   std::vector<char> marks(r.points.size(), '.');
+  std::vector<bool> marked(r.points.size(), false);
+  for (const std::size_t i : clear_frontier(r.points)) marked[i] = true;
+  marked[r.chosen] = true;
   char next = 'A';
   for (const std::size_t i : order) {
-    if (!r.points[i].frontier && i != r.chosen) continue;
+    if (!marked[i]) continue;
     marks[i] = next;
     next = next == 'Z' ? 'a' : static_cast<char>(next + 1);
   }
@@ -52,7 +58,7 @@ std::string table_of(const TuneReport& r) {
   const std::vector<char> marks = marks_of(r, order);
   const KnobChoice standard = r.knobs.defaults();
   std::string text = fmt::format(
-      "{}: {} x {}, {} pixels of the scene, {} on {} thread{}, median of {} frame{}\n\n"
+      "{}: {} x {}, {} pixels of the scene, {} on {} thread{}, fastest of {} frame{}\n\n"
       "      ms a frame  mean error  99 % within  settings\n",
       printable(r.scene), r.width, r.height, grouped(r.pixels), r.isa, r.threads, r.threads == 1 ? "" : "s", r.frames,
       r.frames == 1 ? "" : "s");
@@ -67,15 +73,44 @@ std::string table_of(const TuneReport& r) {
       continue;
     }
     text += fmt::format("  {} {:>12.2f}{:>12.3f}{:>13}  {}{}{}{}\n", marks[i], p.cost, p.error.mean,
-                        p.error.percentile99, describe(r.knobs, p.choice), exact ? " (exact)" : "",
+                        p.error.percentile99, r.knobs.describe(p.choice), exact ? " (exact)" : "",
                         is_default ? " (the default)" : "", i == r.chosen ? "  <- chosen" : "");
   }
-  text += "Letters: on the frontier; no other is both cheaper and nearer. Dots: beaten";
+  text += "Letters: on the frontier; all that are nearer cost at least 2 % more. Dots: beaten";
   text += left_out == 0 ? ".\n" : fmt::format(", with {} more that the table leaves out.\n", left_out);
   return text + "\n" + draw_chart(chart, r.limit.mean);
 }
 
-void write_results(const std::string& path, const TuneReport& r) {
+std::string chart_of(const TuneReport& r) {
+  const std::vector<char> marks = marks_of(r, cheapest_first(r.points));
+  const KnobChoice standard = r.knobs.defaults();
+  chart::FrontierPlot plot;
+  plot.cost_name = fmt::format("cost: ms a frame, {} thread{}, {}", r.threads, r.threads == 1 ? "" : "s", r.isa);
+  plot.error_name = "mean error: display steps (1/255) against the exact settings";
+  plot.limit = r.limit.mean;
+  plot.limit_name = fmt::format("E = {:.4g}", r.limit.mean);
+  for (std::size_t i = 0; i < r.points.size(); ++i) {
+    const KnobPoint& p = r.points[i];
+    const bool exact = i == 0, is_default = p.choice == standard;
+    plot.points.push_back({p.cost, p.error.mean,
+                           exact        ? "exact"
+                           : is_default ? "default: " + r.knobs.describe(p.choice)
+                                        : r.knobs.describe(p.choice),
+                           exact        ? "exact"
+                           : is_default ? "default"
+                                        : std::string(1, marks[i]),
+                           marks[i] != '.', i == r.chosen, exact || is_default});
+  }
+  const KnobPoint& chosen = r.points[r.chosen];
+  return draw(plot, {fmt::format("Cheapest settings of {}", std::filesystem::path(r.scene).filename().string()),
+                     fmt::format("{} × {}, {} settings measured; exact: {}", r.width, r.height, r.points.size(),
+                                 chart::shortened(r.knobs.describe(KnobChoice(r.knobs.list.size(), 0)), 100)),
+                     {fmt::format("chosen: {}; {}", r.knobs.describe(chosen.choice), result_of(chosen)),
+                      fmt::format("fastest of {} frames, all in turns; errors over {} pixels that show the scene",
+                                  r.frames, grouped(r.pixels))}});
+}
+
+std::string results_of(const TuneReport& r) {
   Json j;
   j["tessera"] = TESSERA_VERSION;
   j["command"] = "tune";
@@ -92,24 +127,16 @@ void write_results(const std::string& path, const TuneReport& r) {
   j["points"] = Json::array();
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     const KnobPoint& p = r.points[i];
-    RenderSettings s;
-    r.knobs.apply(p.choice, s);
-    const EnvironmentShading& shading = s.environment_shading;
-    j["points"].push_back({{"samples", s.samples},
-                           {"env-lobe", environment_lobe_names.at(std::size_t(shading.lobe))},
-                           {"env-fresnel", environment_fresnel_names.at(std::size_t(shading.fresnel))},
-                           {"specular-occlusion", shading.specular_occlusion},
-                           {"mean_error", p.error.mean},
-                           {"p99_error", p.error.percentile99},
-                           {"ms", p.cost},
-                           {"frontier", p.frontier},
-                           {"exact", i == 0},
-                           {"chosen", i == r.chosen}});
+    Json point = settings_json(r.settings_of(p.choice));
+    point.update(Json{{"mean_error", p.error.mean},
+                      {"p99_error", p.error.percentile99},
+                      {"ms", p.cost},
+                      {"frontier", p.frontier},
+                      {"exact", i == 0},
+                      {"chosen", i == r.chosen}});
+    j["points"].push_back(std::move(point));
   }
-  const std::string text = j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tessera::cli

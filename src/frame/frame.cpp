@@ -1,15 +1,15 @@
 #include "frame/frame.hpp"
 
+#include <map>
 #include <optional>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "frame/capture.hpp"
 #include "frame/classify.hpp"
-#include "frame/material.hpp"
+#include "frame/material_sets.hpp"
 #include "frame/pipeline.hpp"
 #include "frame/tables.hpp"
-#include "precompute/texture.hpp"
 
 namespace tessera {
 namespace {
@@ -24,29 +24,36 @@ FilmView resized(Image& film, int width, int height) {
 struct Renderer::State {
   const Scene& scene;
   const Kernels& kernels;
-  Lighting lighting;
-  TextureSet textures;
-  std::vector<MaterialView> materials;
+  MaterialSets materials;
   std::vector<std::uint8_t> double_sided;
   std::vector<AlphaMode> alpha_modes;
+  std::map<const Environment*, Lighting> lightings;  // of every environment so far
+  Lighting* lighting = nullptr;                      // the current one
   double prepare_ms = 0;
 
   FramePipeline pipeline;
 
-  State(const Scene& s, const Environment* environment, const Kernels& k)
-      : scene(s), kernels(k), lighting(s.lights, environment, k) {}
+  State(const Scene& s, const Kernels& k) : scene(s), kernels(k), materials(s, k) {}
+
+  void light_with(const Environment* environment) {
+    lighting = &lightings.try_emplace(environment, scene.lights, environment, kernels).first->second;
+  }
 };
 
-Renderer::Renderer(const Scene& scene, const Environment* environment, const Kernels& kernels) {
+Renderer::Renderer(const Scene& scene, const Environment* environment, const Kernels& kernels,
+                   const RenderSettings& first) {
   const Stopwatch watch;
-  state_ = std::make_unique<State>(scene, environment, kernels);
-  state_->materials = compile_materials(scene, state_->textures, kernels);
-  for (const MaterialView& material : state_->materials) {
+  state_ = std::make_unique<State>(scene, kernels);
+  state_->light_with(environment);
+  static_cast<void>(state_->lighting->view(first));
+  for (const MaterialView& material : state_->materials.get(first.color_texels, first.texture_filter)) {
     state_->double_sided.push_back(material.double_sided);
     state_->alpha_modes.push_back(material.alpha_mode);
   }
   state_->prepare_ms = watch.ms();
 }
+
+void Renderer::set_environment(const Environment* environment) { state_->light_with(environment); }
 
 Renderer::~Renderer() = default;
 
@@ -58,8 +65,6 @@ void Renderer::render(const View& view, const RenderSettings& settings, const Fr
   FrameStatistics& statistics = frame.statistics;
   statistics.clear();
   statistics.prepare_ms = s.prepare_ms;
-  statistics.texture_bytes = s.textures.bytes();
-  statistics.table_bytes = s.lighting.table_bytes();
   std::optional<GBufferCapture> capture;
   if (request.gbuffer) capture.emplace(settings.width, settings.height, settings.samples);
 
@@ -70,8 +75,12 @@ void Renderer::render(const View& view, const RenderSettings& settings, const Fr
   };
   const bool visited = capture || !frame.aovs.empty();
   run_with_threads(settings.threads, [&] {
-    s.pipeline.render({s.scene.geometry(), s.materials, s.double_sided, s.alpha_modes, s.lighting.view()}, view,
-                      settings, s.lighting.background(settings), s.kernels, film, statistics,
+    const std::vector<MaterialView>& materials = s.materials.get(settings.color_texels, settings.texture_filter);
+    const LightingView lighting = s.lighting->view(settings);
+    statistics.texture_bytes = s.materials.texture_bytes(settings.color_texels);
+    statistics.table_bytes = s.lighting->table_bytes(settings);
+    s.pipeline.render({s.scene.geometry(), materials, s.double_sided, s.alpha_modes, lighting}, view, settings,
+                      s.lighting->background(settings), s.kernels, film, statistics,
                       visited ? FramePipeline::TileVisitor(visit) : nullptr);
   });
   if (capture) capture->finish(frame.gbuffer);
@@ -81,13 +90,15 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
                    const Environment* environment, const RenderSettings& settings, const Kernels& kernels,
                    Frame& frame) {
   const Stopwatch watch;
-  const Lighting lighting(lights, environment, kernels);
+  Lighting lighting(lights, environment, kernels);
+  LightingView light;
+  run_with_threads(settings.threads, [&] { light = lighting.view(settings); });
   const FilmView film = resized(frame.rgba, gbuffer.width, gbuffer.height);
   FrameStatistics& statistics = frame.statistics;
   statistics.clear();
   statistics.isa = kernels.isa;
   statistics.prepare_ms = watch.ms();
-  statistics.table_bytes = lighting.table_bytes();
+  statistics.table_bytes = lighting.table_bytes(settings);
   std::vector<std::size_t> first(gbuffer.counts.size() + 1, 0);
   for (std::size_t i = 0; i < gbuffer.counts.size(); ++i) first[i + 1] = first[i] + gbuffer.counts[i];
 
@@ -100,7 +111,7 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
     in.kernels = &kernels;
     in.view = view.transform;
     in.pattern = kernels.sample_pattern(gbuffer.samples);
-    in.lighting = lighting.view();
+    in.lighting = light;
     in.environment_shading = settings.environment_shading;
     const BackgroundSource background = lighting.background(settings);
     TileLoop loop;

@@ -48,14 +48,19 @@ struct Frame {
 /// to `scene`, `environment` and `kernels`; they must outlive it.
 class Renderer {
  public:
-  /// environment may be null: lights alone.
-  Renderer(const Scene& scene, const Environment* environment, const Kernels& kernels);
+  /// environment may be null: lights alone. Tables and textures are made as `first` will ask for them; what later
+  /// frames ask for otherwise is made then, once.
+  Renderer(const Scene& scene, const Environment* environment, const Kernels& kernels,
+           const RenderSettings& first = {});
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
+  /// What lights the frames from now on; what was made of earlier ones is kept.
+  void set_environment(const Environment* environment);
+
   /// Fills frame; its memory is reused from call to call. Runs on settings.threads threads.
-  /// Throws Error(usage) for settings out of range and unknown AOV names.
+  /// Throws Error(usage) for settings out of range, for what the environment does not hold, and unknown AOV names.
   void render(const View& view, const RenderSettings& settings, const FrameRequest& request, Frame& frame);
 
  private:

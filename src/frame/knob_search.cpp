@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "base/pareto.hpp"
 
@@ -10,12 +11,6 @@ namespace {
 
 constexpr double equally_cheap = 1.02;
 constexpr double surely_cheaper = 1.05;  // the few frames of the first measurement tell no less apart
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Adds a choice unless it is there, and returns its index.
 std::size_t add(std::vector<KnobPoint>& points, const KnobChoice& choice) {
@@ -35,10 +30,10 @@ void measure(const KnobSearch& s, std::vector<KnobPoint>& points, std::size_t fi
     if (s.progress) s.progress(combining, ++done, total);
   };
   for (std::size_t i = first_new; i < points.size(); ++i, count()) points[i].error = s.error(points[i].choice);
-  std::vector<std::vector<double>> times(points.size());
+  for (KnobPoint& point : points) point.cost = std::numeric_limits<double>::infinity();
   for (std::size_t round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < points.size(); ++i, count()) times[i].push_back(s.cost(points[i].choice));
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].cost = median(std::move(times[i]));
+    for (std::size_t i = 0; i < points.size(); ++i, count())
+      points[i].cost = std::min(points[i].cost, s.cost(points[i].choice));
 }
 
 // Whether b, a choice of the same knob, makes a not worth combining.
@@ -47,19 +42,100 @@ bool is_pointless_beside(const KnobPoint& a, const KnobPoint& b) {
   return b.error.mean < a.error.mean && b.cost * surely_cheaper < a.cost;
 }
 
-// Every choice that takes for each knob one of worthwhile[knob].
+// What choices will probably cost and err by, from each knob's choices with the other knobs exact.
+class Forecast {
+ public:
+  Forecast(const std::vector<KnobPoint>& points, const std::vector<std::vector<std::size_t>>& alone)
+      : points_(points), alone_(alone) {}
+
+  // From what was measured of `from`.
+  [[nodiscard]] Tradeoff of(const KnobChoice& choice, const KnobPoint& from) const {
+    Tradeoff result{from.cost, from.error.mean};
+    for (std::size_t knob = 0; knob < choice.size(); ++knob) {
+      const KnobPoint& now = single(knob, choice[knob]);
+      const KnobPoint& before = single(knob, from.choice[knob]);
+      result.cost *= now.cost / before.cost;
+      result.error += now.error.mean - before.error.mean;
+    }
+    result.error = std::max(result.error, 0.0);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] const KnobPoint& single(std::size_t knob, int choice) const {
+    return points_[alone_[knob][static_cast<std::size_t>(choice)]];
+  }
+  const std::vector<KnobPoint>& points_;
+  const std::vector<std::vector<std::size_t>>& alone_;
+};
+
+// Every choice that takes for each knob one of worthwhile[knob]; at most 2^16 of them, the most exact ones.
 std::vector<KnobChoice> combinations(const std::vector<std::vector<int>>& worthwhile) {
+  constexpr std::size_t most = std::size_t{1} << 16;
   std::vector<KnobChoice> all = {{}};
   for (const std::vector<int>& choices : worthwhile) {
     std::vector<KnobChoice> longer;
-    for (const KnobChoice& begun : all)
-      for (const int choice : choices) {
+    for (const int choice : choices)
+      for (const KnobChoice& begun : all) {
+        if (longer.size() == most) break;
         longer.push_back(begun);
         longer.back().push_back(choice);
       }
     all = std::move(longer);
   }
   return all;
+}
+
+// Which of the promised tradeoffs to measure, `most` of them: half are the cheapest within the limit, half lie all
+// along the frontier, then along the frontier of the others, and so on.
+std::vector<std::size_t> most_promising(std::vector<Tradeoff> promised, double limit, std::size_t most) {
+  std::vector<std::size_t> within;
+  for (std::size_t i = 0; i < promised.size(); ++i)
+    if (promised[i].error <= limit) within.push_back(i);
+  std::stable_sort(within.begin(), within.end(),
+                   [&](std::size_t a, std::size_t b) { return promised[a].cost < promised[b].cost; });
+  within.resize(std::min(within.size(), most / 2));
+  std::vector<std::size_t> best;
+  const auto take = [&](std::size_t i) {
+    best.push_back(i);
+    promised[i].cost = std::numeric_limits<double>::quiet_NaN();  // takes no part any more
+  };
+  for (const std::size_t i : within) take(i);
+  while (best.size() < most) {
+    const std::vector<std::size_t> layer = pareto_frontier(promised);
+    if (layer.empty()) break;
+    const std::size_t count = std::min(layer.size(), most - best.size());
+    for (std::size_t k = 0; k < count; ++k) take(layer[k * layer.size() / count]);
+  }
+  return best;
+}
+
+void mark_frontier(std::vector<KnobPoint>& points) {
+  std::vector<Tradeoff> tradeoffs;
+  tradeoffs.reserve(points.size());
+  for (KnobPoint& point : points) {
+    tradeoffs.push_back({point.cost, point.error.mean});
+    point.frontier = false;
+  }
+  for (const std::size_t i : pareto_frontier(tradeoffs)) points[i].frontier = true;
+}
+
+// Choices that differ from a point of the frontier in one knob and are not measured yet, with what they promise.
+void forecast_neighbours(const std::vector<KnobPoint>& points, const std::vector<std::vector<int>>& worthwhile,
+                         const Forecast& forecast, std::vector<KnobChoice>& choices, std::vector<Tradeoff>& tradeoffs) {
+  std::set<KnobChoice> known;
+  for (const KnobPoint& point : points) known.insert(point.choice);
+  for (const KnobPoint& point : points) {
+    if (!point.frontier) continue;
+    for (std::size_t knob = 0; knob < worthwhile.size(); ++knob)
+      for (const int k : worthwhile[knob]) {
+        KnobChoice choice = point.choice;
+        choice[knob] = k;
+        if (!known.insert(choice).second) continue;
+        choices.push_back(choice);
+        tradeoffs.push_back(forecast.of(choice, point));
+      }
+  }
 }
 
 }  // namespace
@@ -84,15 +160,51 @@ std::vector<KnobPoint> search(const KnobSearch& s) {
       if (std::none_of(alone[knob].begin(), alone[knob].end(),
                        [&](std::size_t j) { return is_pointless_beside(points[i], points[j]); }))
         worthwhile[knob].push_back(points[i].choice[knob]);
-  const std::size_t first_new = points.size();
-  for (const KnobChoice& choice : combinations(worthwhile)) add(points, choice);
+  const std::vector<KnobPoint> singles = points;  // as they were measured together
+  const Forecast forecast(singles, alone);
+  std::vector<KnobChoice> all = combinations(worthwhile);
+  const bool too_many = all.size() > s.most;
+  if (too_many) {
+    std::vector<Tradeoff> promised;
+    promised.reserve(all.size());
+    for (const KnobChoice& choice : all) promised.push_back(forecast.of(choice, singles[0]));
+    std::vector<KnobChoice> promising;
+    for (const std::size_t i : most_promising(std::move(promised), s.limit, s.most - s.most / 3))
+      promising.push_back(all[i]);
+    all = std::move(promising);
+  }
+  std::size_t first_new = points.size();
+  for (const KnobChoice& choice : all) add(points, choice);
   measure(s, points, first_new, true);
-
-  std::vector<Tradeoff> tradeoffs;
-  tradeoffs.reserve(points.size());
-  for (const KnobPoint& point : points) tradeoffs.push_back({point.cost, point.error.mean});
-  for (const std::size_t i : pareto_frontier(tradeoffs)) points[i].frontier = true;
+  mark_frontier(points);
+  if (too_many) {
+    std::vector<KnobChoice> neighbours;
+    std::vector<Tradeoff> promised;
+    forecast_neighbours(points, worthwhile, forecast, neighbours, promised);
+    first_new = points.size();
+    for (const std::size_t i : most_promising(std::move(promised), s.limit, s.most / 3)) add(points, neighbours[i]);
+    if (points.size() > first_new) measure(s, points, first_new, true);
+    mark_frontier(points);
+  }
   return points;
+}
+
+std::vector<std::size_t> clear_frontier(const std::vector<KnobPoint>& points) {
+  std::vector<std::size_t> order, clear;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].frontier) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points[a].error.mean != points[b].error.mean ? points[a].error.mean < points[b].error.mean
+                                                        : points[a].cost < points[b].cost;
+  });
+  double last = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : order) {
+    if (points[i].cost * equally_cheap > last) continue;
+    last = points[i].cost;
+    clear.push_back(i);
+  }
+  std::reverse(clear.begin(), clear.end());
+  return clear;
 }
 
 std::size_t cheapest_within(const std::vector<KnobPoint>& points, const PictureError& limit) {

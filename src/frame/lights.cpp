@@ -14,7 +14,7 @@ float cosine(const Kernels& kernels, float angle) {
 
 }  // namespace
 
-std::vector<LightView> compile_lights(const std::vector<Light>& lights, const Kernels& kernels) {
+std::vector<LightView> compile_lights(const std::vector<Light>& lights, const Kernels& kernels, float cutoff) {
   std::vector<LightView> views;
   for (const Light& light : lights) {
     LightView view{};
@@ -30,6 +30,11 @@ std::vector<LightView> compile_lights(const std::vector<Light>& lights, const Ke
     }
     if (!shines || !finite) continue;
     view.inverse_range_squared = light.range > 0 ? 1 / (light.range * light.range) : 0;
+    if (cutoff > 0 && light.type != LightType::directional) {
+      // E = I / d^2 = cutoff. A light too weak to reach it anywhere ends within 1e-18: no product of it overflows.
+      const float strongest = std::max({view.color[0], view.color[1], view.color[2]});
+      view.inverse_range_squared = std::max(view.inverse_range_squared, std::min(cutoff / strongest, 1e36f));
+    }
     // KHR_lights_punctual, "Inner and Outer Cone Angles": 0.001 keeps the edge of a hard cone finite.
     const float inner = cosine(kernels, light.inner_cone_angle), outer = cosine(kernels, light.outer_cone_angle);
     view.spot_scale = 1 / std::max(0.001f, inner - outer);

@@ -9,8 +9,9 @@
 namespace tessera {
 
 /// Cone angles become KHR_lights_punctual's scale and offset; intensity is folded into the colour. Lights that give
-/// nothing (zero or not finite intensity) are left out.
-std::vector<LightView> compile_lights(const std::vector<Light>& lights, const Kernels& kernels);
+/// nothing (zero or not finite intensity) are left out. cutoff: illuminance in lux at which a point or spot light may
+/// end: its range is at most the distance where its strongest channel has fallen to that. 0: only where the light says.
+std::vector<LightView> compile_lights(const std::vector<Light>& lights, const Kernels& kernels, float cutoff = 0);
 
 /// The lights as spheres, for Kernels::cull_lights.
 class LightBounds {

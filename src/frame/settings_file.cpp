@@ -1,8 +1,10 @@
 #include "frame/settings_file.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
 
 #include "base/error.hpp"
 #include "io/file_bytes.hpp"
@@ -17,10 +19,6 @@ constexpr int version = 1;
 constexpr std::uint64_t longest_file = 65536;  // bytes; a file of all keys has some 200
 
 constexpr const char* version_key = "tessera-settings";
-constexpr const char* samples_key = "samples";
-constexpr const char* lobe_key = "env-lobe";
-constexpr const char* fresnel_key = "env-fresnel";
-constexpr const char* occlusion_key = "specular-occlusion";
 constexpr const char* about_key = "about";
 
 // A value as messages quote it: on one line, and short.
@@ -51,16 +49,84 @@ Json parse(const std::string& path) {
   }
 }
 
-[[noreturn]] void refuse(const std::string& path, const char* key, const Json& value, const std::string& expected) {
-  throw input_error("{}: \"{}\": found {}, expected {}", path, key, one_line(value), expected);
+// A setting as the file has it.
+struct Entry {
+  const char* key;
+  std::string expected;                                   // what its values may be, in words
+  std::function<bool(const Json&, RenderSettings&)> set;  // whether it was one of them
+  std::function<Json(const RenderSettings&)> get;
+};
+
+// One of several words; at(settings) is the enumeration that they stand for.
+template <std::size_t N, class At>
+Entry words(const char* key, const std::array<const char*, N>& names, At at) {
+  return {key, fmt::format("one of {}", fmt::join(names, ", ")),
+          [&names, at](const Json& value, RenderSettings& settings) {
+            for (std::size_t k = 0; k < N; ++k)
+              if (value.is_string() && value.get_ref<const std::string&>() == names[k]) {
+                at(settings) = static_cast<std::remove_reference_t<decltype(at(settings))>>(k);
+                return true;
+              }
+            return false;
+          },
+          [&names, at](const RenderSettings& settings) -> Json {
+            return names.at(static_cast<std::size_t>(at(settings)));
+          }};
 }
 
-template <std::size_t N>
-std::size_t index_of(const std::string& path, const char* key, const Json& value,
-                     const std::array<const char*, N>& names) {
-  for (std::size_t k = 0; k < N; ++k)
-    if (value.is_string() && value.get_ref<const std::string&>() == names[k]) return k;
-  refuse(path, key, value, fmt::format("one of {}", fmt::join(names, ", ")));
+bool set_samples(const Json& value, RenderSettings& settings) {
+  const auto count = std::find(sample_counts.begin(), sample_counts.end(), value);
+  if (!value.is_number_integer() || count == sample_counts.end()) return false;
+  settings.samples = *count;
+  return true;
+}
+
+bool set_size(const Json& value, RenderSettings& settings) {
+  if (!value.is_number_unsigned()) return false;
+  const auto size = value.get<std::uint64_t>();
+  if (size > std::uint64_t{max_cube_size} || (size & (size - 1)) != 0) return false;
+  settings.environment_size = static_cast<int>(size);
+  return true;
+}
+
+bool set_cutoff(const Json& value, RenderSettings& settings) {
+  if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= 1e6)) return false;
+  settings.light_cutoff = value.get<float>();
+  return true;
+}
+
+bool set_occlusion(const Json& value, RenderSettings& settings) {
+  if (value.is_boolean()) settings.environment_shading.specular_occlusion = value.get<bool>();
+  return value.is_boolean();
+}
+
+const std::vector<Entry>& entries() {
+  using S = RenderSettings;
+  static const std::vector<Entry> all = {
+      {"samples", fmt::format("one of {}", fmt::join(sample_counts, ", ")), set_samples,
+       [](const S& s) -> Json { return s.samples; }},
+      words(
+          "env-lobe", environment_lobe_names, [](auto& s) -> auto& { return s.environment_shading.lobe; }),
+      words(
+          "env-fresnel", environment_fresnel_names, [](auto& s) -> auto& { return s.environment_shading.fresnel; }),
+      {"specular-occlusion", "true or false", set_occlusion,
+       [](const S& s) -> Json { return s.environment_shading.specular_occlusion; }},
+      words(
+          "env-albedo", environment_albedo_names, [](auto& s) -> auto& { return s.environment_shading.albedo; }),
+      {"env-size", "a power of two up to 4096, or 0", set_size, [](const S& s) -> Json { return s.environment_size; }},
+      words(
+          "env-texels", environment_texel_names, [](auto& s) -> auto& { return s.environment_texels; }),
+      words(
+          "env-irradiance", irradiance_form_names, [](auto& s) -> auto& { return s.environment_irradiance; }),
+      // As the shortest decimal that reads back as the same float.
+      {"light-cutoff", "0 to 1e6", set_cutoff,
+       [](const S& s) -> Json { return std::stod(fmt::format("{}", s.light_cutoff)); }},
+      words(
+          "texture-filter", texture_filter_names, [](auto& s) -> auto& { return s.texture_filter; }),
+      words(
+          "color-texels", color_texel_names, [](auto& s) -> auto& { return s.color_texels; }),
+  };
+  return all;
 }
 
 }  // namespace
@@ -69,38 +135,36 @@ void read_settings(const std::string& path, RenderSettings& settings) {
   const Json root = parse(path);
   const auto found = root.find(version_key);
   if (found == root.end()) throw input_error("{}: \"{}\" is missing: not a file of settings", path, version_key);
-  if (*found != version) refuse(path, version_key, *found, std::to_string(version));
-  EnvironmentShading& shading = settings.environment_shading;
+  const auto refuse = [&](const std::string& key, const Json& value, const std::string& expected) {
+    throw input_error("{}: \"{}\": found {}, expected {}", path, key, one_line(value), expected);
+  };
+  if (*found != version) refuse(version_key, *found, std::to_string(version));
   for (const auto& [key, value] : root.items()) {
-    if (key == samples_key) {
-      const auto count = std::find(sample_counts.begin(), sample_counts.end(), value);
-      if (!value.is_number_integer() || count == sample_counts.end())
-        refuse(path, samples_key, value, fmt::format("one of {}", fmt::join(sample_counts, ", ")));
-      settings.samples = *count;
-    } else if (key == lobe_key) {
-      shading.lobe = static_cast<EnvironmentLobe>(index_of(path, lobe_key, value, environment_lobe_names));
-    } else if (key == fresnel_key) {
-      shading.fresnel = static_cast<EnvironmentFresnel>(index_of(path, fresnel_key, value, environment_fresnel_names));
-    } else if (key == occlusion_key) {
-      if (!value.is_boolean()) refuse(path, occlusion_key, value, "true or false");
-      shading.specular_occlusion = value.get<bool>();
+    const auto entry =
+        std::find_if(entries().begin(), entries().end(), [&k = key](const Entry& e) { return e.key == k; });
+    if (entry != entries().end()) {
+      if (!entry->set(value, settings)) refuse(key, value, entry->expected);
     } else if (key == about_key) {
-      if (!value.is_string()) refuse(path, about_key, value, "words");
+      if (!value.is_string()) refuse(key, value, "words");
     } else if (key != version_key) {
-      throw input_error("{}: unknown setting {}; expected some of {}, {}, {}, {}", path, one_line(key), samples_key,
-                        lobe_key, fresnel_key, occlusion_key);
+      std::string known;
+      for (const Entry& e : entries()) known += (known.empty() ? "" : ", ") + std::string(e.key);
+      throw input_error("{}: unknown setting {}; expected some of {}", path, one_line(key), known);
     }
   }
+}
+
+Json settings_json(const RenderSettings& settings) {
+  Json all;
+  for (const Entry& entry : entries()) all[entry.key] = entry.get(settings);
+  return all;
 }
 
 void write_settings(const std::string& path, const RenderSettings& settings, const std::string& about) {
   Json root;
   root[version_key] = version;
   root[about_key] = about;
-  root[samples_key] = settings.samples;
-  root[lobe_key] = environment_lobe_names.at(static_cast<std::size_t>(settings.environment_shading.lobe));
-  root[fresnel_key] = environment_fresnel_names.at(static_cast<std::size_t>(settings.environment_shading.fresnel));
-  root[occlusion_key] = settings.environment_shading.specular_occlusion;
+  root.update(settings_json(settings));
   const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   OutputFile file(path);
   file.write(text.data(), text.size());

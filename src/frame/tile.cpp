@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 #include "frame/classify.hpp"
 
@@ -24,7 +23,7 @@ bool is_whole(const TileFragments& tile, std::size_t opaque, int width, int heig
 
 std::size_t TileWorker::bytes() const {
   return fragments.bytes() + depth_.capacity() * 4 + ids_.capacity() * 4 +
-         (candidates_.capacity() + grouped_.capacity() + sorted_.capacity()) * sizeof(Fragment);
+         (candidates_.capacity() + grouped_.capacity()) * sizeof(Fragment) + sorter_.bytes();
 }
 
 void TileWorker::render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists) {
@@ -55,7 +54,7 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
   fragments.whole = is_whole(fragments, opaque_count_, width, height, in.pattern.count);
   clock.lap(Stage::collect);
   shade_runs(in, x, y);
-  if (fragments.fragments.size() > opaque_count_) sort_transparent();
+  if (fragments.fragments.size() > opaque_count_) sorter_.sort(fragments, opaque_count_);
   clock.lap(Stage::collect);
 }
 
@@ -209,36 +208,6 @@ void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
   for (const Run& run : runs_)
     shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features));
   clock.lap(Stage::shade);
-}
-
-// Transparent fragments were appended; every pixel's fragments are brought together, front to back where one is
-// transparent.
-void TileWorker::sort_transparent() {
-  ScratchVector<Fragment>& all = fragments.fragments;
-  const float* depth = fragments.gbuffer().depth;
-  ScratchVector<std::uint32_t>& order = order_;
-  order.resize(all.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::array<bool, tile_pixels> transparent{};
-  for (std::size_t i = opaque_count_; i < all.size(); ++i) transparent[all[i].pixel] = true;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (all[a].pixel != all[b].pixel) return all[a].pixel < all[b].pixel;
-    if (transparent[all[a].pixel]) {
-      const float da = depth[fragments.slot(a)], db = depth[fragments.slot(b)];
-      if (da != db) return da > db;
-    }
-    if (all[a].triangle != all[b].triangle) return all[a].triangle < all[b].triangle;
-    return all[a].samples < all[b].samples;  // pieces of one clipped triangle
-  });
-  sorted_.resize(all.size());
-  sorted_slots_.resize(all.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    sorted_[i] = all[order[i]];
-    sorted_slots_[i] = fragments.slot(order[i]);
-  }
-  all.swap(sorted_);
-  fragments.slots.swap(sorted_slots_);
-  fragments.in_order = false;
 }
 
 }  // namespace tessera

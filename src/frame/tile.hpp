@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/stage_clock.hpp"
+#include "frame/fragment_sorter.hpp"
 #include "frame/fragments.hpp"
 #include "kernels/interface.hpp"
 #include "raster/bins.hpp"
@@ -51,7 +52,6 @@ class TileWorker {
   bool one_binding(const TileInputs& in, std::uint32_t& binding) const;
   void group_by_binding(const TileInputs& in);
   void shade_runs(const TileInputs& in, int x, int y);
-  void sort_transparent();
 
   struct Piece {  // candidates of one masked triangle
     std::uint32_t setup, first, count;
@@ -68,12 +68,10 @@ class TileWorker {
   ScratchVector<Fragment> grouped_;  // by binding: what resolve reads, unless fragments are in order
   std::vector<Piece> pieces_;
   std::vector<Run> runs_;
-  ScratchVector<std::uint32_t> order_;
   std::vector<std::uint32_t> run_of_binding_;
   ScratchVector<std::uint32_t> fragment_run_;
   std::size_t opaque_count_ = 0;  // fragments before this one are opaque or masked
-  ScratchVector<Fragment> sorted_;
-  ScratchVector<std::uint32_t> sorted_slots_;
+  FragmentSorter sorter_;
 };
 
 /// Shades slots [first, first + count) of the planes.

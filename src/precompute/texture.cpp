@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -121,22 +122,30 @@ void pack(const AlignedVector<float>& rgba, TexelFormat format, std::byte* out, 
     return;
   }
   for (std::size_t i = 0; i < rgba.size(); ++i) {
-    const float scaled = std::min(rgba[i], 1.0f) * 255.0f + 0.5f;
-    out[i] = static_cast<std::byte>(static_cast<int>(scaled));
+    const float value = std::min(rgba[i], 1.0f);
+    const bool square = format == TexelFormat::rgba8_squares && i % 4 != 3;
+    out[i] = static_cast<std::byte>(static_cast<int>((square ? std::sqrt(value) : value) * 255.0f + 0.5f));
   }
+}
+
+TexelFormat format_of(const SourceImage& image, Encoding encoding, ColorTexels colors) {
+  const bool integers = image.type == PixelType::u8 || image.type == PixelType::u16;
+  if (integers && encoding == Encoding::srgb && colors == ColorTexels::bytes) return TexelFormat::rgba8_squares;
+  return image.type == PixelType::u8 && encoding == Encoding::linear ? TexelFormat::rgba8_unorm
+                                                                     : TexelFormat::rgba16_float;
 }
 
 }  // namespace
 
-TextureData build_texture(const SourceImage& image, Encoding encoding, bool mipmapped, const Kernels& kernels) {
+TextureData build_texture(const SourceImage& image, Encoding encoding, bool mipmapped, const Kernels& kernels,
+                          ColorTexels colors) {
   check(image);
   TextureData data;
-  const bool bytes = image.type == PixelType::u8 && encoding == Encoding::linear;
-  data.format = bytes ? TexelFormat::rgba8_unorm : TexelFormat::rgba16_float;
+  data.format = format_of(image, encoding, colors);
   data.width = image.width;
   data.height = image.height;
   data.levels = mipmapped ? full_levels(image.width, image.height) : 1;
-  const std::size_t texel_bytes = bytes ? 4 : 8;
+  const std::size_t texel_bytes = data.format == TexelFormat::rgba16_float ? 8 : 4;
   data.texels.resize(texels_of(data.width, data.height, data.levels) * texel_bytes);
 
   AlignedVector<float> level(std::size_t(image.width) * image.height * 4);
@@ -181,7 +190,7 @@ void TextureSet::build(const Scene& scene, std::span<const Use> uses, const Kern
   }
   parallel_for(jobs.size(), [&](std::size_t i) {
     const Job& job = jobs[i];
-    *job.out = build_texture(scene.images[job.image], job.encoding, job.mipmapped, kernels);
+    *job.out = build_texture(scene.images[job.image], job.encoding, job.mipmapped, kernels, colors_);
   });
   for (const Use& use : uses) {
     if (use.texture < 0 || std::size_t(use.texture) >= scene.textures.size()) continue;

@@ -33,6 +33,9 @@ TEST(ShadeFuzz, AnyGBufferGivesFiniteRadiance) {
     args.environment_shading.lobe = static_cast<EnvironmentLobe>(round % 5);
     args.environment_shading.fresnel = static_cast<EnvironmentFresnel>(round / 5 % 2);
     args.environment_shading.specular_occlusion = round / 10 % 2 != 0;
+    args.environment_shading.albedo = static_cast<EnvironmentAlbedo>(round % 3);
+    // The halves' bits taken as words of shared exponents are a cube too: of half the size.
+    if (round % 7 == 0) args.environment.specular.format = CubeFormat::rgb9_e5;
     kernels.shade(args);
     for (int c = 0; c < 3; ++c) {
       bool good = true;

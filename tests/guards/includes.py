@@ -21,8 +21,9 @@ LAYERS = {
     "precompute": ({"scene", "base"}, True),
     "reference": (set(), False),
     "catalogue": (set(), True),
+    "chart": ({"base"}, False),
     "frame": ({"raster", "precompute", "io", "scene", "base"}, True),
-    "cli": ({"frame", "catalogue", "reference", "raster", "precompute", "io", "scene", "base"}, True),
+    "cli": ({"frame", "catalogue", "chart", "reference", "raster", "precompute", "io", "scene", "base"}, True),
 }
 # The same inside kernels/; all may include simd.hpp and interface.hpp.
 KERNEL_LAYERS = {

@@ -50,10 +50,17 @@ struct Surface {
     const WrapMode wraps[] = {WrapMode::repeat, WrapMode::mirrored_repeat, WrapMode::clamp_to_edge};
     for (int i = 0; i < 5; ++i) {
       const FilterMode filter = i == 4 ? FilterMode::nearest : FilterMode::linear;
-      textures[i] = {
-          texels.data(), TexelFormat::rgba8_unorm, width,  height, levels,
-          wraps[i % 3],  wraps[(i + 1) % 3],       filter, filter, i == 3 ? FilterMode::nearest : FilterMode::linear,
-          i != 2};
+      textures[i] = {texels.data(),
+                     i == 0 ? TexelFormat::rgba8_squares : TexelFormat::rgba8_unorm,
+                     width,
+                     height,
+                     levels,
+                     wraps[i % 3],
+                     wraps[(i + 1) % 3],
+                     filter,
+                     filter,
+                     i == 3 ? FilterMode::nearest : FilterMode::linear,
+                     i != 2};
     }
     const auto slot = [&](int i) { return TextureSlotView{&textures[i], i % 2, {1.5f, 0.25f, 0.1f, -0.5f, 2, -0.3f}}; };
     material = {{0.9f, 0.8f, 0.7f, 0.6f},

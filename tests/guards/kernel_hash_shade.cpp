@@ -61,6 +61,8 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
   environment.lod_curve = 0.5f;
   for (const EnvironmentLobe lobe : {EnvironmentLobe::mirror, EnvironmentLobe::shifted, EnvironmentLobe::taps2,
                                      EnvironmentLobe::taps4, EnvironmentLobe::points8}) {
+    // Any bits are texels in the other format.
+    environment.specular.format = lobe == EnvironmentLobe::shifted ? CubeFormat::rgb9_e5 : CubeFormat::rgba16_float;
     environment.irradiance = lobe == EnvironmentLobe::taps2 ? environment.specular : CubeView{};
     kernels.shade({g,
                    GBuffer::count,
@@ -73,7 +75,10 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                    {dfg.data(), dfg_size},
                    {radiance[0].values, radiance[1].values, radiance[2].values},
                    0,
-                   {lobe, EnvironmentFresnel::f0, lobe != EnvironmentLobe::mirror}});
+                   {lobe, EnvironmentFresnel::f0, lobe != EnvironmentLobe::mirror,
+                    lobe == EnvironmentLobe::taps4     ? EnvironmentAlbedo::fit
+                    : lobe == EnvironmentLobe::points8 ? EnvironmentAlbedo::small_fit
+                                                       : EnvironmentAlbedo::table}});
     for (const auto& plane : radiance)
       for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
   }

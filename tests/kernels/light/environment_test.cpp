@@ -46,8 +46,8 @@ Direction direction_of(int face, double s, double t) {
 
 using Color = std::array<double, 3>;
 
-// Random texels without borders; a view with borders is made from them. Values are multiples of 3 below 2^10, so that
-// the mean of three is a half exactly.
+// Random texels without borders; views with borders are made from them. Values are multiples of 3 below 2^9, so that
+// the mean of three is a half, and a nine-bit mantissa, exactly.
 class TestCube {
  public:
   explicit TestCube(int size) : size_(size) {
@@ -55,12 +55,14 @@ class TestCube {
     for (int n = size; n >= 1; n /= 2) {
       levels_.emplace_back(std::size_t(6 * n * n));
       for (Color& texel : levels_.back())
-        for (double& value : texel) value = 3.0 * (random() % 340);
+        for (double& value : texel) value = 3.0 * (random() % 170);
     }
     for (int level = 0; level < int(levels_.size()); ++level) append_bordered(level);
   }
 
   CubeView view() const { return {halves_.data(), size_, int(levels_.size())}; }
+  // The same values in words of 9 + 9 + 9 bits times 2^(24 - 24).
+  CubeView packed_view() const { return {packed_.data(), size_, int(levels_.size()), CubeFormat::rgb9_e5}; }
 
   Color sample(const Direction& d, double lod) const {
     const double last = double(levels_.size() - 1);
@@ -136,6 +138,9 @@ class TestCube {
           const std::size_t k = std::size_t((j - top) * 2 + (i - left));
           for (const double value : taps[k]) halves_.push_back(half(value));
           halves_.push_back(half(1));
+          const unsigned red = unsigned(taps[k][0]), green = unsigned(taps[k][1]), blue = unsigned(taps[k][2]);
+          packed_.push_back(std::uint16_t((red + green * 512) % 65536));
+          packed_.push_back(std::uint16_t((green / 128 + blue * 4 + 24 * 2048) % 65536));
         }
       }
     }
@@ -150,7 +155,7 @@ class TestCube {
 
   int size_;
   std::vector<std::vector<Color>> levels_;
-  std::vector<std::uint16_t> halves_;
+  std::vector<std::uint16_t> halves_, packed_;
 };
 
 std::vector<Direction> test_directions() {
@@ -192,6 +197,50 @@ TEST(SampleCube, MatchesItsDefinition) {
       }
     }
   }
+}
+
+TEST(SampleCube, TexelsInFewerBitsGiveTheSame) {
+  const TestCube cube(16);
+  const std::vector<Direction> directions = test_directions();
+  for (std::size_t i = 0; i + Float::lanes <= directions.size(); i += Float::lanes) {
+    float x[Float::lanes], y[Float::lanes], z[Float::lanes], lod[Float::lanes];
+    for (std::size_t k = 0; k < Float::lanes; ++k) {
+      x[k] = float(directions[i + k].x), y[k] = float(directions[i + k].y), z[k] = float(directions[i + k].z);
+      lod[k] = float(test_lods[(i + 3 * k) % std::size(test_lods)]);
+    }
+    const Vec3<Float> packed = sample_cube<Rgb9e5Texels>(
+        cube.packed_view(), Vec3<Float>{load<Float>(x), load<Float>(y), load<Float>(z)}, load<Float>(lod));
+    for (int k = 0; k < Float::lanes; ++k) {
+      const Vec3<float> d{x[k], y[k], z[k]};
+      const Vec3<float> plain = sample_cube(cube.view(), d, lod[k]);
+      const Vec3<float> single = sample_cube<Rgb9e5Texels>(cube.packed_view(), d, lod[k]);
+      ASSERT_EQ(lane(packed.x, k), plain.x);
+      ASSERT_EQ(lane(packed.y, k), plain.y);
+      ASSERT_EQ(lane(packed.z, k), plain.z);
+      ASSERT_EQ(single.x, plain.x);
+      ASSERT_EQ(single.y, plain.y);
+      ASSERT_EQ(single.z, plain.z);
+    }
+  }
+}
+
+// EXT_texture_shared_exponent: red_s * 2^(exp_shared - 15 - 9), from the lowest bits on.
+TEST(Rgb9e5, EveryExponentIsDecodedExactly) {
+  std::mt19937 random(9);
+  for (int exponent = 0; exponent < 32; ++exponent)
+    for (int i = 0; i < 64; ++i) {
+      const int c[3] = {int(random() % 512), i == 0 ? 0 : int(random() % 512), i == 1 ? 511 : int(random() % 512)};
+      const auto word = std::int32_t(unsigned(c[0]) + 512u * unsigned(c[1]) + 262144u * unsigned(c[2]) +
+                                     134217728u * unsigned(exponent));
+      const Vec3<float> single = decode_rgb9e5<float>(word);
+      const Vec3<Float> many = decode_rgb9e5<Float>(Int(word));
+      ASSERT_EQ(single.x, std::ldexp(float(c[0]), exponent - 24));
+      ASSERT_EQ(single.y, std::ldexp(float(c[1]), exponent - 24));
+      ASSERT_EQ(single.z, std::ldexp(float(c[2]), exponent - 24));
+      ASSERT_EQ(lane(many.x, 0), single.x);
+      ASSERT_EQ(lane(many.y, Float::lanes - 1), single.y);
+      ASSERT_EQ(lane(many.z, 0), single.z);
+    }
 }
 
 TEST(SampleCube, VectorsEqualScalarsToTheBit) {

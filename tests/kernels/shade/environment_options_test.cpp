@@ -1,5 +1,5 @@
 // How the environment can be looked up: the lobes against the integral that they stand for, the two Fresnel forms,
-// specular occlusion, the cube of irradiance.
+// specular occlusion, the cube of irradiance; what cheaper forms of the tables change.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,12 +100,13 @@ Grid grazing_grid() {
 }
 
 std::vector<float> shaded(const Kernels& kernels, const Grid& grid, const Environment& environment,
-                          const EnvironmentShading& shading) {
+                          const EnvironmentShading& shading, const CubeView* specular = nullptr) {
   GBuffer gbuffer(grid.surfaces.size());
   for (std::size_t i = 0; i < grid.surfaces.size(); ++i) gbuffer.set(i, grid.surfaces[i]);
   ShadeArgs args = shade_args(gbuffer, grid.v, {}, &environment);
   args.eye[3] = 0;
   args.environment_shading = shading;
+  if (specular != nullptr) args.environment.specular = *specular;
   kernels.shade(args);
   return {gbuffer.radiance()[0], gbuffer.radiance()[0] + grid.surfaces.size()};
 }
@@ -171,6 +172,86 @@ TEST(EnvironmentLobe, SameBitsOnEveryInstructionSet) {
       for (const Kernels* kernels : runnable_kernels())
         EXPECT_EQ(shaded(*kernels, grid, environment, shading), expected) << kernels->isa << " " << int(lobe);
     }
+}
+
+// A cube of halves again with nine bits a channel and one exponent: the smallest that the largest channel fits under.
+std::vector<std::uint16_t> packed(const CubeView& cube) {
+  const std::size_t count = cube_level_offset(cube.size, cube.levels);
+  std::vector<std::uint16_t> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint16_t* half = cube.texels + 4 * i;
+    double c[3];
+    for (int k = 0; k < 3; ++k) c[k] = std::ldexp(1024 + half[k] % 1024, half[k] / 1024 - 25);  // normal ones
+    int exponent = 1;
+    while (std::round(std::ldexp(std::max({c[0], c[1], c[2]}), 24 - exponent)) > 511) ++exponent;
+    std::uint32_t word = std::uint32_t(exponent) << 27;
+    for (int k = 0; k < 3; ++k) word |= std::uint32_t(std::round(std::ldexp(c[k], 24 - exponent))) << 9 * k;
+    out.push_back(std::uint16_t(word & 0xffff));
+    out.push_back(std::uint16_t(word >> 16));
+  }
+  return out;
+}
+
+TEST(EnvironmentTexels, NineBitsAreAsNearAsTheyCanBe) {
+  const Grid grid = grazing_grid();
+  const Environment environment = banded();  // grey: a texel is within 2^-9 of itself
+  const std::vector<std::uint16_t> texels = packed(environment.view().specular);
+  const CubeView cube{texels.data(), 64, levels, CubeFormat::rgb9_e5};
+  for (const EnvironmentLobe lobe : lobes) {
+    const EnvironmentShading shading{lobe, EnvironmentFresnel::roughness, false};
+    const std::vector<float> halves = shaded(*runnable_kernels().back(), grid, environment, shading);
+    std::size_t differ = 0;
+    for (const Kernels* kernels : runnable_kernels()) {
+      const std::vector<float> found = shaded(*kernels, grid, environment, shading, &cube);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_NEAR(found[i], halves[i], halves[i] * 0x1p-9f) << kernels->isa << " " << int(lobe);
+        differ += found[i] != halves[i];
+      }
+      EXPECT_EQ(found, shaded(*runnable_kernels().front(), grid, environment, shading, &cube)) << kernels->isa;
+    }
+    EXPECT_GT(differ, grid.surfaces.size() / 2);
+  }
+}
+
+// White metal under radiance 1 reflects what is scattered once, f0 A + B = A + B, and the rest by the same radiance: so
+// grey metal is looked at. Against the albedo in double, at the bounds that dfg_fit.hpp states.
+TEST(EnvironmentAlbedoForm, FitsAreWithinTheirBounds) {
+  const Environment environment = Environment::constant(1);
+  Grid grid;
+  for (const double r : {0.05, 0.1, 0.25, 0.5, 0.75, 1.0})
+    for (const double mu : {0.02, 0.1, 0.3, 0.6, 0.99}) {
+      reference::ShadeSurface s;
+      s.normal = {std::sqrt(1 - mu * mu), 0, mu};
+      s.base_color = {0.5, 0.5, 0.5};
+      s.roughness = r;
+      s.metallic = 1;
+      grid.surfaces.push_back(s);
+    }
+  const auto reflected = [](double A, double B) {
+    const double F = 0.5 * A + B, lost = 1 - A - B, average = 0.5 + 0.5 / 21;
+    return F + lost * F * average / (1 - average * lost);
+  };
+  for (const auto& [form, bound] : {std::pair{EnvironmentAlbedo::fit, 2e-3}, {EnvironmentAlbedo::small_fit, 1.4e-2}}) {
+    const EnvironmentShading shading{EnvironmentLobe::taps4, EnvironmentFresnel::f0, false, form};
+    const std::vector<float> found = shaded(*runnable_kernels().back(), grid, environment, shading);
+    double worst = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const reference::ShadeSurface& s = grid.surfaces[i];
+      const auto truth = reference::directional_albedo(dot(s.normal, grid.v), s.roughness * s.roughness, 64);
+      double low = 1e9, high = 0;  // over all that A and B may be
+      for (const double a : {-bound, bound})
+        for (const double b : {-bound, bound}) {
+          low = std::min(low, reflected(truth.A + a, truth.B + b));
+          high = std::max(high, reflected(truth.A + a, truth.B + b));
+        }
+      EXPECT_GE(double(found[i]), low - 1e-5) << i;
+      EXPECT_LE(double(found[i]), high + 1e-5) << i;
+      worst = std::max(worst, std::abs(double(found[i]) - reflected(truth.A, truth.B)));
+    }
+    EXPECT_GT(worst, bound / 20);  // it is a fit that was evaluated
+    for (const Kernels* kernels : runnable_kernels())
+      EXPECT_EQ(shaded(*kernels, grid, environment, shading), found) << kernels->isa;
+  }
 }
 
 // The listing with F0 in the place of kS, in double.

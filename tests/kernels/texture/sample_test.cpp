@@ -29,7 +29,7 @@ TextureMemory random_texture(int width, int height, TexelFormat format, std::mt1
   for (int size = std::max(width, height); size > 0; size /= 2) {
     const std::size_t numbers = std::size_t(4) * std::max(1, width >> levels) * std::max(1, height >> levels);
     for (std::size_t i = 0; i < numbers; ++i) {
-      if (format == TexelFormat::rgba8_unorm)
+      if (format != TexelFormat::rgba16_float)
         t.bytes.push_back(std::uint8_t(random() % 256));
       else
         t.halves.push_back(std::uint16_t(random() % 0x4400));  // 0 .. 4, half denormals among them
@@ -95,7 +95,9 @@ class Reference {
     for (int j = 0; j < k; ++j) first += std::size_t(width(j)) * height(j);
     const int wx = wrap(x, width(k), t_.view.wrap_u), wy = wrap(y, height(k), t_.view.wrap_v);
     const std::size_t at = (first + std::size_t(wy) * width(k) + wx) * 4 + channel;
-    return t_.view.format == TexelFormat::rgba8_unorm ? t_.bytes[at] / 255.0 : half_value(t_.halves[at]);
+    if (t_.view.format == TexelFormat::rgba16_float) return half_value(t_.halves[at]);
+    const double value = t_.bytes[at] / 255.0;
+    return t_.view.format == TexelFormat::rgba8_squares && channel < 3 ? value * value : value;
   }
 
   [[nodiscard]] double level(double u, double v, int k, FilterMode filter, int channel) const {
@@ -155,7 +157,7 @@ constexpr Affine around_u{-1.4373, 0.1131, 0.0171}, around_v{2.3119, -0.0213, -0
 TEST(Sample, EveryWrapFormatAndSize) {
   std::mt19937 random(1);
   for (const Kernels* kernels : runnable_kernels())
-    for (const TexelFormat format : {TexelFormat::rgba8_unorm, TexelFormat::rgba16_float})
+    for (const TexelFormat format : {TexelFormat::rgba8_unorm, TexelFormat::rgba16_float, TexelFormat::rgba8_squares})
       for (const auto& size : sizes) {
         TextureMemory texture = random_texture(size[0], size[1], format, random);
         for (const WrapMode wrap_u : wraps)
@@ -172,7 +174,7 @@ TEST(Sample, EveryWrapFormatAndSize) {
 TEST(Sample, EveryFilterMagnifiedAndMinified) {
   std::mt19937 random(2);
   for (const Kernels* kernels : runnable_kernels())
-    for (const TexelFormat format : {TexelFormat::rgba8_unorm, TexelFormat::rgba16_float}) {
+    for (const TexelFormat format : {TexelFormat::rgba8_unorm, TexelFormat::rgba16_float, TexelFormat::rgba8_squares}) {
       TextureMemory texture = random_texture(64, 48, format, random);
       for (int f = 0; f < 16; ++f)
         for (const double scale : {0.004, 0.0219, 0.0391, 0.213, 1.07}) {  // lod -2, 0.5, 1.3, 3.8, beyond the last

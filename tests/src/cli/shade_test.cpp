@@ -59,6 +59,31 @@ TEST_P(Shade, RepeatsTheRender) {
 
 INSTANTIATE_TEST_SUITE_P(Samples, Shade, testing::Values("1", "4"));
 
+// The cheaper forms of light are the same forms there.
+TEST(ShadeForms, RepeatTheRenderToo) {
+  const Folder folder;
+  write_file(folder.path("a.gltf"), lit_square());
+  write_file(folder.path("sky.hdr"),
+             "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x20\x40\x80\x80");
+  const std::vector<Words> forms = {{"--env-texels", "rgb9e5", "--env-albedo", "fit"},
+                                    {"--env-irradiance", "cube", "--env-albedo", "small-fit", "--env-size", "32"},
+                                    {"--light-cutoff", "4"}};
+  std::vector<AlignedVector<float>> seen;
+  for (const Words& form : forms) {
+    Words render = {"render", folder.path("a.gltf"), "-o", folder.path("a.exr"), "--size", "40x30", "--aov", "gbuffer",
+                    "--env",  folder.path("sky.hdr")};
+    Words shade = {"shade", folder.path("a.gbuffer.exr"), "-o", folder.path("b.exr"), "--env", folder.path("sky.hdr")};
+    render.insert(render.end(), form.begin(), form.end());
+    shade.insert(shade.end(), form.begin(), form.end());
+    ASSERT_EQ(run(render).status, 0) << form[0];
+    ASSERT_EQ(run(shade).status, 0) << form[0];
+    expect_same_picture(folder.path("a.exr"), folder.path("b.exr"));
+    seen.push_back(read_exr_layers(folder.path("a.exr")).f32.at("R"));
+  }
+  EXPECT_NE(seen[0], seen[1]);
+  EXPECT_NE(seen[0], seen[2]);
+}
+
 TEST(ShadeForeign, TakesALayersFileOfAnotherProgram) {
   const Folder folder;
   // One white diffuse pixel that faces a light of pi lux, beside an empty one.

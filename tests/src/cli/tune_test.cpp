@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "io/image_file.hpp"
 #include "program.hpp"
@@ -45,13 +46,20 @@ class Tune : public testing::Test {
     return read_image(folder.path("p.png"));
   }
   [[nodiscard]] Image rendered(const Json& point, const Words& more = {}) const {
-    Words words = {"--samples",
-                   std::to_string(point.at("samples").get<int>()),
-                   "--env-lobe",
-                   point.at("env-lobe").get<std::string>(),
-                   "--env-fresnel",
-                   point.at("env-fresnel").get<std::string>(),
-                   point.at("specular-occlusion").get<bool>() ? "--specular-occlusion" : "--specular-occlusion=false"};
+    Words words = {point.at("specular-occlusion").get<bool>() ? "--specular-occlusion" : "--specular-occlusion=false"};
+    for (const char* key :
+         {"env-lobe", "env-fresnel", "env-albedo", "env-texels", "env-irradiance", "texture-filter", "color-texels"}) {
+      words.push_back(std::string("--") + key);
+      words.push_back(point.at(key).get<std::string>());
+    }
+    for (const char* key : {"samples", "light-cutoff"}) {
+      words.push_back(std::string("--") + key);
+      words.push_back(point.at(key).dump());
+    }
+    if (point.at("env-size") != 0) {
+      words.push_back("--env-size");
+      words.push_back(point.at("env-size").dump());
+    }
     words.insert(words.end(), more.begin(), more.end());
     return rendered(words);
   }
@@ -102,7 +110,8 @@ TEST_F(Tune, TheFileOfSettingsGivesTheChosenPicture) {
   const Json results = tuned({"--max-error", "1", "-o", folder.path("s.json")});
   const Json chosen = chosen_of(results), file = Json::parse(read_file(folder.path("s.json")));
   EXPECT_LE(chosen.at("mean_error").get<double>(), 1);
-  for (const char* key : {"samples", "env-lobe", "env-fresnel", "specular-occlusion"})
+  for (const char* key : {"samples", "env-lobe", "env-fresnel", "specular-occlusion", "env-albedo", "env-size",
+                          "env-texels", "env-irradiance", "light-cutoff", "texture-filter", "color-texels"})
     EXPECT_EQ(file.at(key), chosen.at(key));
   EXPECT_NE(file.at("about").get<std::string>().find("a.gltf"), std::string::npos);
   EXPECT_EQ(rendered(Words{"--settings", folder.path("s.json")}).pixels, rendered(chosen).pixels);
@@ -127,8 +136,85 @@ TEST_F(Tune, WhatIsGivenIsNotVaried) {
     EXPECT_EQ(point.at("samples"), 2);
     EXPECT_EQ(point.at("env-lobe"), "taps2");
   }
+  for (const Json& point : tuned({"--env-size", "64", "--env-texels", "rgb9e5", "--env-albedo", "fit"}).at("points")) {
+    EXPECT_EQ(point.at("env-size"), 64);
+    EXPECT_EQ(point.at("env-texels"), "rgb9e5");
+    EXPECT_EQ(point.at("env-albedo"), "fit");
+  }
   // Without an environment only the samples matter: five choices.
   EXPECT_EQ(tuned({"--light", "directional:0,0,-1:3"}).at("points").size(), 5u);
+}
+
+TEST_F(Tune, WhatTheSceneHasIsVaried) {
+  const auto values = [](const Json& results, const char* key) {
+    std::set<std::string> all;
+    for (const Json& point : results.at("points")) all.insert(point.at(key).dump());
+    return all;
+  };
+  const Json by_environment = tuned({});
+  EXPECT_EQ(values(by_environment, "samples").size(), 5u);
+  EXPECT_EQ(values(by_environment, "env-lobe").size(), 5u);
+  EXPECT_EQ(values(by_environment, "env-fresnel").size(), 2u);
+  EXPECT_EQ(values(by_environment, "env-albedo").size(), 3u);
+  EXPECT_GE(values(by_environment, "env-size").size(), 2u);
+  EXPECT_EQ(values(by_environment, "env-texels").size(), 2u);
+  EXPECT_EQ(values(by_environment, "env-irradiance"), (std::set<std::string>{"\"cube\"", "\"sh\""}));
+  EXPECT_EQ(values(by_environment, "light-cutoff").size(), 1u);
+  EXPECT_EQ(values(by_environment, "texture-filter").size(), 1u);
+  const Json by_light = tuned({"--light", "point:0,0,2:3", "--exposure", "1"});
+  EXPECT_EQ(values(by_light, "light-cutoff").size(), 4u);
+  EXPECT_EQ(values(by_light, "light-cutoff").count("0.05"), 1u);  // 0.1 lux, twice as bright
+  EXPECT_EQ(values(by_light, "env-lobe").size(), 1u);
+}
+
+TEST_F(Tune, TheChartShowsTheChoiceAndTheLimit) {
+  const Json results = tuned({"--max-error", "0.7", "--chart", folder.path("t.svg"), "--samples", "2"});
+  const std::string svg = read_file(folder.path("t.svg"));
+  for (const char* words : {"<svg", "a.gltf", "E = 0.7", "chosen-ring", "ms a frame", "display steps", "</svg>"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  std::size_t dots = 0;
+  for (std::size_t at = svg.find("class=\"dot\""); at != std::string::npos; at = svg.find("class=\"dot\"", at + 1))
+    ++dots;
+  EXPECT_EQ(dots, results.at("points").size() + 3);  // and three of the legend
+}
+
+// Every form that `tune` may choose: one picture whatever the instruction set and the threads.
+TEST_F(Tune, CheapFormsAreAsDeterministicAsTheOthers) {
+  const std::vector<Words> forms = {{"--env-albedo", "fit", "--env-texels", "rgb9e5", "--env-lobe", "taps2"},
+                                    {"--env-albedo", "small-fit", "--env-irradiance", "cube", "--env-lobe", "fis8"},
+                                    {"--env-size", "32", "--env-irradiance", "sh", "--env-texels", "rgb9e5"},
+                                    {"--light", "point:0.5,0,2:3", "--light-cutoff", "0.5"}};
+  std::vector<std::string> isas;
+  for (const char* isa : {"sse42", "avx2", "avx512", "neon64"})
+    if (program("render", {"-o", folder.path("x.png"), "--isa", isa}).status == 0) isas.emplace_back(isa);
+  ASSERT_FALSE(isas.empty());
+  const Image plain = rendered(Words{});
+  for (const Words& form : forms) {
+    const Image first = rendered(form);
+    EXPECT_NE(first.pixels, plain.pixels) << form[1];
+    for (const std::string& isa : isas) {
+      Words words = form;
+      words.insert(words.end(), {"--isa", isa});
+      EXPECT_EQ(rendered(words).pixels, first.pixels) << form[1] << " " << isa;
+    }
+  }
+}
+
+TEST_F(Tune, ABakedEnvironmentHasItsSize) {
+  write_file(folder.path("e.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x20\x40\x80\x80");
+  ASSERT_EQ(run({"bake", folder.path("e.hdr"), "--size", "64", "-o", folder.path("e.tsra"), "-q"}).status, 0);
+  const Words baked = {"-o", folder.path("p.png"), "--env", folder.path("e.tsra")};
+  const auto with = [&](const char* size) {
+    Words words = baked;
+    words.insert(words.end(), {"--env-size", size});
+    return program("render", words);
+  };
+  EXPECT_EQ(with("64").status, 0);
+  const Result other = with("32");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("of size 32 are asked for, but it has 64"), std::string::npos) << other.err;
+  const Json results = tuned({"--env", folder.path("e.tsra")});
+  for (const Json& point : results.at("points")) EXPECT_EQ(point.at("env-size"), 0);
 }
 
 TEST_F(Tune, OptionsWinOverTheFile) {
@@ -168,6 +254,13 @@ TEST_F(Tune, WhatIsWrongIsSaid) {
       {{"--frames", "0"}, 2},
       {{"--samples", "3"}, 2},
       {{"--env-lobe", "five"}, 2},
+      {{"--env-size", "100"}, 2},
+      {{"--env-albedo", "exact"}, 2},
+      {{"--env-irradiance", "none"}, 2},
+      {{"--light-cutoff", "-1"}, 2},
+      {{"--texture-filter", "cubic"}, 2},
+      {{"--color-texels", "4bit"}, 2},
+      {{"--chart", "-", "--results", "-"}, 2},
       {{"--background", "transparent"}, 2},
       {{"-o", "-", "--results", "-"}, 2},
       {{"-o", "/nowhere/s.json"}, 4},

@@ -102,7 +102,7 @@ TEST(KnobSearch, MeasuresOnceForErrorAndTakesTurnsForCost) {
   for (std::size_t i = 0; i < timed.size(); ++i) EXPECT_EQ(timed[i], timed[i % 4]);
 }
 
-TEST(KnobSearch, AnOutlierDoesNotMoveTheMedian) {
+TEST(KnobSearch, OutliersDoNotMoveTheCost) {
   Model model{{{10, 8}}, {{0, 1}}};
   KnobSearch s = model.search_of();
   int frame = 0;
@@ -110,6 +110,63 @@ TEST(KnobSearch, AnOutlierDoesNotMoveTheMedian) {
   const std::vector<KnobPoint> points = search(s);
   EXPECT_EQ(points[0].cost, 10);
   EXPECT_EQ(points[1].cost, 8);
+}
+
+// Many knobs whose costs multiply and whose errors add up, as the forecast has it, and somewhat otherwise.
+TEST(KnobSearch, OfMoreThanItMayMeasureItFindsNearlyTheBest) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<std::vector<double>> factor, error;
+    for (int knob = 0; knob < 8; ++knob) {
+      factor.push_back({1});
+      error.push_back({0});
+      for (int k = 1; k < 3; ++k) {
+        factor.back().push_back(factor.back().back() * (0.5 + 0.4 * uniform(random)));
+        error.back().push_back(error.back().back() + uniform(random));
+      }
+    }
+    const auto cost = [&](const KnobChoice& c) {
+      double product = 50, bent = 0;
+      for (std::size_t k = 0; k < c.size(); ++k) product *= factor[k][std::size_t(c[k])], bent += c[k];
+      return product + 0.05 * bent;
+    };
+    const auto wrong = [&](const KnobChoice& c) {
+      double sum = 0;
+      for (std::size_t k = 0; k < c.size(); ++k) sum += error[k][std::size_t(c[k])];
+      return sum * (0.9 + 0.1 / (1 + sum));
+    };
+    KnobSearch s;
+    s.choices.assign(8, 3);
+    s.most = 60;
+    std::size_t asked = 0;
+    s.error = [&](const KnobChoice& c) {
+      ++asked;
+      return PictureError{wrong(c), 0};
+    };
+    s.cost = cost;
+    for (const double limit : {1.0, 2.5, 5.0}) {
+      s.limit = limit;
+      asked = 0;
+      const std::vector<KnobPoint> points = search(s);
+      EXPECT_EQ(asked, points.size());
+      EXPECT_LE(points.size(), 17u + 60u);
+      double least = 1e9;
+      KnobChoice c(8, 0);
+      for (int i = 0; i < 6561; ++i) {
+        for (int k = 0, rest = i; k < 8; ++k, rest /= 3) c[std::size_t(k)] = rest % 3;
+        if (wrong(c) <= limit) least = std::min(least, cost(c));
+      }
+      EXPECT_LE(points[cheapest_within(points, {limit, 1e9})].cost, least * 1.25) << trial << " " << limit;
+    }
+  }
+}
+
+TEST(ClearFrontier, LeavesOutWhatIsHardlyCheaper) {
+  std::vector<KnobPoint> points = {{{0}, {0, 0}, 100, true},  {{1}, {1, 0}, 99, true}, {{2}, {2, 0}, 97, true},
+                                   {{3}, {3, 0}, 96, true},   {{4}, {3, 0}, 96, true}, {{5}, {4, 0}, 10, true},
+                                   {{6}, {9, 0}, 500, false}, {{7}, {5, 0}, 9.9, true}};
+  EXPECT_EQ(clear_frontier(points), (std::vector<std::size_t>{5, 2, 0}));
 }
 
 TEST(CheapestWithin, TakesTheNearestOfThoseThatCostTheSame) {

@@ -70,7 +70,7 @@ TEST(Pipeline, NeitherLightsLeftOutNorPlanesLeftOutShow) {
     if (!cpu_runs(*kernels)) continue;
     for (const golden::GoldenScene& scene : golden::golden_scenes()) {
       const Prepared p(scene, *kernels);
-      LightingView all = p.lighting->view();
+      LightingView all = p.lighting->view(p.golden.settings);
       ASSERT_GT(all.bounds.count, 50u) << "culling is not put to the test";
       const Image culled = p.render(*kernels, all, false);
       all.bounds = {};

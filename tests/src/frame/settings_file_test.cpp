@@ -37,12 +37,43 @@ TEST_F(SettingsFile, EveryCombinationComesBack) {
   EXPECT_EQ(folder.count(), 1u);
 }
 
+TEST_F(SettingsFile, EveryOtherSettingComesBack) {
+  for (int k = 0; k < 24; ++k) {
+    RenderSettings out, in;
+    out.environment_shading.albedo = EnvironmentAlbedo(k % 3);
+    out.environment_size = k == 0 ? 0 : 1 << k % 13;
+    out.environment_texels = CubeFormat(k % 2);
+    out.environment_irradiance = IrradianceForm(k % 3);
+    out.light_cutoff = k == 0 ? 0 : 0.1f / float(k);
+    out.texture_filter = TextureFilter(k % 4);
+    out.color_texels = ColorTexels(k / 2 % 2);
+    write_settings(folder.file("s.json"), out, "");
+    read_settings(folder.file("s.json"), in);
+    EXPECT_EQ(in.environment_shading.albedo, out.environment_shading.albedo);
+    EXPECT_EQ(in.environment_size, out.environment_size);
+    EXPECT_EQ(in.environment_texels, out.environment_texels);
+    EXPECT_EQ(in.environment_irradiance, out.environment_irradiance);
+    EXPECT_EQ(in.light_cutoff, out.light_cutoff);
+    EXPECT_EQ(in.texture_filter, out.texture_filter);
+    EXPECT_EQ(in.color_texels, out.color_texels);
+  }
+}
+
 // The words of the file, spelled out: files outlive the program that wrote them.
 TEST_F(SettingsFile, WordsMeanWhatTheySay) {
   RenderSettings s;
   read_settings(write(R"({"tessera-settings": 1, "samples": 16, "env-lobe": "shifted", "env-fresnel": "kS",
-                         "specular-occlusion": true})"),
+                         "specular-occlusion": true, "env-albedo": "small-fit", "env-size": 64,
+                         "env-texels": "rgb9e5", "env-irradiance": "cube", "light-cutoff": 0.25,
+                         "texture-filter": "nearest-mip", "color-texels": "8bit"})"),
                 s);
+  EXPECT_EQ(s.environment_shading.albedo, EnvironmentAlbedo::small_fit);
+  EXPECT_EQ(s.environment_size, 64);
+  EXPECT_EQ(s.environment_texels, CubeFormat::rgb9_e5);
+  EXPECT_EQ(s.environment_irradiance, IrradianceForm::cube);
+  EXPECT_EQ(s.light_cutoff, 0.25f);
+  EXPECT_EQ(s.texture_filter, TextureFilter::nearest_mip);
+  EXPECT_EQ(s.color_texels, ColorTexels::bytes);
   EXPECT_EQ(s.samples, 16);
   EXPECT_EQ(s.environment_shading.lobe, EnvironmentLobe::shifted);
   EXPECT_EQ(s.environment_shading.fresnel, EnvironmentFresnel::roughness);
@@ -82,6 +113,18 @@ TEST_F(SettingsFile, WhatIsWrongGetsOneLineThatNamesIt) {
       {R"({"tessera-settings": 1, "env-lobe": 3})", "expected one of n=v"},
       {R"({"tessera-settings": 1, "env-fresnel": ["f0"]})", "expected one of kS, f0"},
       {R"({"tessera-settings": 1, "specular-occlusion": 1})", "expected true or false"},
+      {R"({"tessera-settings": 1, "env-albedo": "exact"})", "expected one of table, fit, small-fit"},
+      {R"({"tessera-settings": 1, "env-size": 100})", "found 100, expected a power of two"},
+      {R"({"tessera-settings": 1, "env-size": 8192})", "expected a power of two up to 4096"},
+      {R"({"tessera-settings": 1, "env-size": -64})", "expected a power of two"},
+      {R"({"tessera-settings": 1, "env-size": 18446744073709551615})", "expected a power of two"},
+      {R"({"tessera-settings": 1, "env-texels": 0})", "expected one of half, rgb9e5"},
+      {R"({"tessera-settings": 1, "env-irradiance": "SH"})", "expected one of auto, sh, cube"},
+      {R"({"tessera-settings": 1, "light-cutoff": -0.1})", "expected 0 to 1e6"},
+      {R"({"tessera-settings": 1, "light-cutoff": 1e300})", "expected 0 to 1e6"},
+      {R"({"tessera-settings": 1, "light-cutoff": "0"})", "expected 0 to 1e6"},
+      {R"({"tessera-settings": 1, "texture-filter": true})", "expected one of file, nearest-mip, no-mips, nearest"},
+      {R"({"tessera-settings": 1, "color-texels": 8})", "expected one of half, 8bit"},
       {R"({"tessera-settings": 1, "about": {}})", "expected words"},
       {R"({"tessera-settings": 1, "sample": 4})", "unknown setting \"sample\"; expected some of samples"},
       {R"({"tessera-settings": 1, "a\nb\u001b[31m": 4})", "unknown setting"},

@@ -62,6 +62,34 @@ TEST(Texture, SrgbIsDecodedAndAlphaIsNot) {
   }
 }
 
+double display(double x) { return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055); }
+
+TEST(Texture, ColorsInEightBitsAreWithinADisplayStep) {
+  std::vector<std::uint8_t> bytes;
+  for (int i = 0; i < 256; ++i) bytes.insert(bytes.end(), {std::uint8_t(i), std::uint8_t(255 - i), 7, std::uint8_t(i)});
+  const SourceImage image = image_of(256, 1, 4, PixelType::u8, bytes);
+  const TextureData data = build_texture(image, Encoding::srgb, true, kernels(), ColorTexels::bytes);
+  ASSERT_EQ(data.format, TexelFormat::rgba8_squares);
+  ASSERT_EQ(data.levels, 9);
+  ASSERT_EQ(data.texels.size(), 4u * 511);
+  const auto stored = [&](int i) { return std::to_integer<int>(data.texels[std::size_t(i)]) / 255.0; };
+  for (int i = 0; i < 256; ++i) {
+    EXPECT_NEAR(display(stored(4 * i) * stored(4 * i)), i, 0.75);
+    EXPECT_NEAR(display(stored(4 * i + 1) * stored(4 * i + 1)), 255 - i, 0.75);
+    EXPECT_EQ(stored(4 * i + 3), i / 255.0);
+  }
+  // Mips are means of light: of the first two texels, 0 and srgb(1/255), nearly nothing; of the last two, nearly 1.
+  EXPECT_EQ(stored(4 * 256), 3 / 255.0);  // sqrt(srgb(1/255) / 2) = 0.0123
+  EXPECT_NEAR(stored(4 * 383), std::sqrt((1 + srgb(254 / 255.0)) / 2), 0.5 / 255);
+  // What is no sRGB picture of integers is as it was.
+  EXPECT_EQ(build_texture(image, Encoding::linear, true, kernels(), ColorTexels::bytes).format,
+            TexelFormat::rgba8_unorm);
+  const std::vector<float> light = {5, 6, 7};
+  EXPECT_EQ(build_texture(image_of(1, 1, 3, PixelType::f32, light), Encoding::srgb, true, kernels(), ColorTexels::bytes)
+                .format,
+            TexelFormat::rgba16_float);
+}
+
 TEST(Texture, DeeperPixels) {
   const std::vector<std::uint16_t> deep = {0, 6553, 65535, 32768};
   TextureData data = build_texture(image_of(2, 1, 2, PixelType::u16, deep), Encoding::srgb, false, kernels());

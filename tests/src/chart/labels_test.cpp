@@ -1,4 +1,4 @@
-#include "bench/chart/labels.hpp"
+#include "chart/labels.hpp"
 
 #include <gtest/gtest.h>
 

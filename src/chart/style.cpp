@@ -1,3 +1,8 @@
+#include "chart/style.hpp"
+
+namespace tessera::chart {
+
+const char* const plot_css = R"css(
 svg { font-family: "Liberation Sans", Helvetica, Arial, "DejaVu Sans", sans-serif; font-size: 13px; }
 .paper { fill: #ffffff; }
 .title { font-size: 20px; font-weight: 600; fill: #14181f; }
@@ -29,3 +34,14 @@ svg { font-family: "Liberation Sans", Helvetica, Arial, "DejaVu Sans", sans-seri
 .leader { stroke: #9aa3b0; stroke-width: 0.9; fill: none; }
 .legend text { fill: #4d5766; }
 .map-title { font-size: 16px; font-weight: 600; fill: #14181f; }
+.limit { stroke: #b3261e; stroke-width: 1.4; stroke-dasharray: 7 4; fill: none; }
+.beyond { fill: #b3261e; fill-opacity: 0.05; }
+.limit-name { fill: #b3261e; font-weight: 600; }
+.chosen-ring { fill: none; stroke: #14804a; stroke-width: 2.4; }
+.label.chosen { fill: #14804a; font-weight: 600; }
+.series { fill: none; stroke-width: 1.8; stroke-linejoin: round; }
+.series-dot { stroke: #ffffff; stroke-width: 1.3; }
+.proportional { stroke: #9aa3b0; stroke-width: 1.2; stroke-dasharray: 2 4; fill: none; }
+)css";
+
+}  // namespace tessera::chart

@@ -1,4 +1,4 @@
-#include "bench/chart/axis.hpp"
+#include "chart/axis.hpp"
 
 #include <gtest/gtest.h>
 

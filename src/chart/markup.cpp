@@ -1,4 +1,4 @@
-#include "bench/chart/markup.hpp"
+#include "chart/markup.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bench/chart/axis.hpp"
+#include "chart/axis.hpp"
 
 namespace tessera::chart {
 
