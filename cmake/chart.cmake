@@ -78,7 +78,7 @@ if(TESSERA_BUILD_BENCH)
   list(REMOVE_ITEM TESSERA_CHART_SOURCES ${TESSERA_CHART_DRAWING})
   add_executable(tessera_chart ${TESSERA_CHART_SOURCES} ${CMAKE_BINARY_DIR}/generated/families.cpp
                                ${CMAKE_BINARY_DIR}/generated/loop_counts.cpp ${CMAKE_SOURCE_DIR}/src/cli/help.cpp
-                               ${CMAKE_SOURCE_DIR}/src/cli/text.cpp)
+                               ${CMAKE_SOURCE_DIR}/src/cli/prefilter_check.cpp ${CMAKE_SOURCE_DIR}/src/cli/text.cpp)
   set_target_properties(tessera_chart PROPERTIES OUTPUT_NAME tessera-chart)
   add_dependencies(tessera_chart tessera_commit)
   target_include_directories(tessera_chart PRIVATE ${CMAKE_BINARY_DIR}/generated)

@@ -40,6 +40,8 @@ TEST(ChartProgram, RefusesWhatItDoesNotKnow) {
   expect_one_error_line(run({"chart", "--isa", "mmx"}), 2, "mmx");
   expect_one_error_line(run({"chart", "--no-such-option"}), 2, "no-such-option");
   expect_one_error_line(run({"chart", "--from", "x.json", "--quick"}), 2, "--quick");
+  expect_one_error_line(run({"chart", "fresnel", "--env", "a.exr"}), 2, "only ibl");
+  expect_one_error_line(run({"chart", "ibl", "--env", "nothing.exr", "-o", Folder().path("chart")}), 3, "nothing.exr");
 }
 
 TEST(ChartProgram, DrawsFromAFileAndComparesWithAnother) {
