@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 #include "kernels/sampling.hpp"
 #include "precompute/sampling_texture.hpp"
@@ -176,6 +177,7 @@ Point measure(Session& session, const Case& c, const Error& error) {
   if (c.format.value == SamplingFormat::r11_g11_b10) point.fails = "blue has five bits: greys turn yellow or blue";
   point.method = error;
   point.extra["bytes"] = double(texture.bytes);
+  add_counts(point, c.format.value, c.layout.value, c.filter.value, c.cube);
   point.cost = time_sampling(session, texture, c.format.value, c.layout.value, c.filter.value, c.cube, c.pattern);
   return point;
 }

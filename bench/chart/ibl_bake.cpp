@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "bench/chart/ibl_world.hpp"
+#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
 #include "cli/prefilter_check.hpp"
 #include "kernels/sampling.hpp"
@@ -184,6 +185,7 @@ Plot format_plot(Session& session, const World& world) {
     point.paper = format == SamplingFormat::rgb9_e5 ? "OpenGL 4.6, section 8.25" : "IEEE 754";
     point.file = "kernels/texture/variants.hpp";
     point.extra["bytes"] = double(texture.bytes);
+    add_counts(point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
     session.progress(plot.id + ": " + point.title);
     for (const Kernels* kernels : session.kernels)
       for (const SamplingKernels* const* list = sampling_tables; *list != nullptr; ++list)
