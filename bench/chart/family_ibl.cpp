@@ -18,42 +18,15 @@ using reference::Vec3;
 
 struct LobeMethod {
   EnvironmentShading shading;
-  const char *id, *title, *formula, *paper, *fails;
+  const char* id;  // among catalogue::lookups()
 };
-
-constexpr const char* heitz = "Heitz 2018, Sampling the GGX distribution of visible normals";
-const std::array<LobeMethod, 6> methods = {{
-    {{}, "ibl-mirror", "n = v = r", "L(R, r)", "Karis 2013", "grazing angles: the round lobe does not stretch"},
-    {{EnvironmentLobe::shifted},
-     "ibl-shifted",
-     "off-specular peak",
-     "L(lerp(n, R, (1 - a)(sqrt(1 - a) + a)), r)",
-     "Lagarde and de Rousiers 2014, listing 22",
-     "grazing angles: round still"},
-    {{EnvironmentLobe::taps2},
-     "ibl-taps2",
-     "two taps along the long axis",
-     "sum w L(l, r') / sum w",
-     heitz,
-     "smooth surfaces under small lights: two highlights"},
-    {{EnvironmentLobe::taps4},
-     "ibl-taps4",
-     "four taps along the long axis",
-     "sum w L(l, r') / sum w",
-     heitz,
-     "the most grazing views of smooth surfaces"},
-    {{EnvironmentLobe::points8},
-     "ibl-fis8",
-     "eight points, filtered importance sampling",
-     "sum w L(l, r') / sum w",
-     "Krivanek and Colbert 2008; Heitz 2018",
-     "small lights: points show"},
-    {{EnvironmentLobe::taps4, EnvironmentFresnel::f0, false},
-     "ibl-taps4-f0",
-     "four taps, Fresnel with F0",
-     "F0 A + B in place of kS A + B",
-     "Fdez-Aguera 2019; Heitz 2018",
-     ""},
+constexpr std::array<LobeMethod, 6> methods = {{
+    {{}, "ibl-mirror"},
+    {{EnvironmentLobe::shifted}, "ibl-shifted"},
+    {{EnvironmentLobe::taps2}, "ibl-taps2"},
+    {{EnvironmentLobe::taps4}, "ibl-taps4"},
+    {{EnvironmentLobe::points8}, "ibl-fis8"},
+    {{EnvironmentLobe::taps4, EnvironmentFresnel::f0, false}, "ibl-taps4-f0"},
 }};
 
 // Pixels of a G-buffer, and what the kernels make of them.
@@ -137,14 +110,8 @@ Plot lobes_in(Session& session, const World& world, const DfgView& dfg,
   environment.irradiance = {};  // harmonics, as in the truth
   for (std::size_t m = 0; m < 5; ++m) {
     const LobeMethod& method = methods[m];
-    session.progress(plot.id + ": " + method.title);
-    Point point;
-    point.id = std::string(method.id) + "-" + world.id;
-    point.title = method.title;
-    point.formula = method.formula;
-    point.paper = method.paper;
-    point.fails = method.fails;
-    point.file = "kernels/shade/stretch.hpp";
+    Point point = describe(catalogue::lookup_of(method.id), world.id);
+    session.progress(plot.id + ": " + point.title);
     const ShadeArgs args = grid.pixels.args(environment, dfg, method.shading);
     if (costs[m].empty())
       for (const Kernels* kernels : session.kernels)
@@ -222,13 +189,7 @@ Plot spheres_in(Session& session, const World& world, const DfgView& dfg,
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const LobeMethod& method = methods[m];
     session.kernels.back()->shade(pixels.args(world.environment.view(), dfg, method.shading));
-    Point point;
-    point.id = std::string(method.id) + "-spheres-" + world.id;
-    point.title = method.title;
-    point.formula = method.formula;
-    point.paper = method.paper;
-    point.fails = method.fails;
-    point.file = "kernels/shade/environment_options.hpp";
+    Point point = describe(catalogue::lookup_of(method.id), "spheres-" + world.id);
     point.cost = m < 5 ? costs[m] : costs[3];
     std::vector<double> found;
     double grazed = 0, count = 0, worst = 0;

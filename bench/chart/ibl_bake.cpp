@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -55,13 +54,9 @@ Plot prefilter_plot(Session& session, const World& world) {
     const Kernels& widest = *session.kernels.back();
     const CubeLevel level = level_of(world, size, widest);
     const int levels = log2_of(size) - 1;
-    Point point;
+    Point point = describe(catalogue::lookup_of(samples == 0 ? "ibl-prefilter-sums" : "ibl-prefilter-points"), "");
     point.id = fmt::format("ibl-prefilter-{}-{}", samples, size);
     point.title = fmt::format("{}, {} x {}", name, size, size);
-    point.formula = samples == 0 ? "sum of K(n.l) L dw / sum of K(n.l) dw" : "sum of w L(l, lod)";
-    point.paper = samples == 0 ? "Barnes and Hut 1986" : "Krivanek and Colbert 2008";
-    point.file = "src/precompute/prefilter.cpp";
-    if (samples > 0) point.fails = "bright lights seen by few points";
     const std::size_t texels = 6 * std::size_t(size) * std::size_t(size) / 3;
     for (const Kernels* kernels : session.kernels)
       run_with_threads(1, [&] {
@@ -163,10 +158,10 @@ Plot format_plot(Session& session, const World& world) {
   std::vector<CubeLevel> mips = {level_of(world, size, *session.kernels.back())};
   while (int(mips.size()) < levels) mips.push_back(halved(mips.back()));
   std::vector<double> truth;
-  const std::pair<SamplingFormat, const char*> formats[] = {{SamplingFormat::rgba32_float, "RGBA32F"},
-                                                            {SamplingFormat::rgba16_float, "RGBA16F"},
-                                                            {SamplingFormat::rgb9_e5, "RGB9E5"}};
-  for (const auto& [format, title] : formats) {
+  const std::pair<SamplingFormat, const char*> formats[] = {{SamplingFormat::rgba32_float, "rgba32f"},
+                                                            {SamplingFormat::rgba16_float, "rgba16f"},
+                                                            {SamplingFormat::rgb9_e5, "rgb9e5"}};
+  for (const auto& [format, id] : formats) {
     const SamplingTexture texture = build_sampling_texture(
         format, SamplingLayout::linear, true, size, levels, [&](int level, int face, int x, int y) {
           const CubeLevel& mip = mips[std::size_t(level)];
@@ -177,13 +172,8 @@ Plot format_plot(Session& session, const World& world) {
                             {in[0].data(), in[1].data(), in[2].data(), in[3].data()},
                             {out[0].data(), out[1].data(), out[2].data()},
                             count};
-    Point point;
-    point.title = title;
-    point.id = "ibl-format-" + point.title;
-    std::transform(point.id.begin(), point.id.end(), point.id.begin(), [](unsigned char c) { return std::tolower(c); });
-    point.formula = fmt::format("{} bytes a texel", sampling_texel_bytes(format));
-    point.paper = format == SamplingFormat::rgb9_e5 ? "OpenGL 4.6, section 8.25" : "IEEE 754";
-    point.file = "kernels/texture/variants.hpp";
+    Point point = describe(catalogue::lookup_of(id), "");
+    point.id = std::string("ibl-format-") + id;
     point.extra["bytes"] = double(texture.bytes);
     add_counts(point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
     session.progress(plot.id + ": " + point.title);

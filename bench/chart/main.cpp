@@ -16,6 +16,7 @@
 #include "bench/chart/markup.hpp"
 #include "bench/chart/output.hpp"
 #include "bench/chart/session.hpp"
+#include "catalogue/lookups.hpp"
 #include "catalogue/method.hpp"
 #include "cli/help.hpp"
 #include "cli/text.hpp"
@@ -46,10 +47,15 @@ struct Options {
 
 void list_families() {
   std::string text;
+  const auto add = [&](const std::string& title, const std::string& paper) {
+    text += paper.empty() ? fmt::format("  {}\n", title) : fmt::format("  {:<44}{}\n", title, shortened(paper, 72));
+  };
   for (const FamilyEntry& family : families()) {
     text += family.name + "\n";
     for (const catalogue::Method& method : catalogue::methods())
-      if (method.family == family.name) text += fmt::format("  {:<44}{}\n", method.title, shortened(method.paper, 72));
+      if (method.family == family.name) add(method.title, method.paper);
+    for (const catalogue::Lookup& lookup : catalogue::lookups())
+      if (lookup.family == family.name) add(lookup.title, lookup.paper);
   }
   cli::print(text.empty() ? "no family is part of this build\n" : text);
 }

@@ -69,6 +69,17 @@ Point describe(const std::string& term) {
   return point;
 }
 
+Point describe(const catalogue::Lookup& lookup, const std::string& suffix) {
+  Point point;
+  point.id = lookup.id + "-" + suffix;
+  point.title = lookup.title;
+  point.formula = lookup.formula;
+  point.paper = lookup.paper;
+  point.file = lookup.file;
+  point.fails = lookup.fails;
+  return point;
+}
+
 void add_cost(Session& session, Point& point, const std::string& term, std::vector<std::vector<float>> inputs,
               const float* table, int table_size) {
   constexpr std::size_t enough = 512;  // fewer, and the call would be timed, not the loop
