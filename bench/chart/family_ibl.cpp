@@ -63,13 +63,6 @@ class Pixels {
 };
 static_assert(sizeof(GBufferView) == gbuffer_planes * sizeof(float*));
 
-double irradiance(const IrradianceSh& sh, const Vec3& n) {
-  const double basis[9] = {1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
-  double sum = 0;
-  for (std::size_t k = 0; k < 9; ++k) sum += basis[k] * double(sh.coefficients[k][1]);
-  return std::max(sum, 0.0);
-}
-
 // White metal over roughness and angle, turned to several sides.
 struct LobeGrid {
   std::vector<double> roughness, cosines;
@@ -89,12 +82,29 @@ struct LobeGrid {
       const Vec3 n{std::sqrt(1 - mu * mu) * std::cos(phi), std::sqrt(1 - mu * mu) * std::sin(phi), mu};
       pixels.set(i, n, 1, 1, r);
       const double lost = 1 - reference::directional_albedo(mu, r * r, 32).E();
-      truth[i] = world.reflected(n, {0, 0, 1}, r * r) + lost * irradiance(world.environment.data().sh, n);
+      truth[i] = world.reflected(n, {0, 0, 1}, r * r) +
+                 lost * std::max(irradiance(world.environment.data().sh, 1, n.x, n.y, n.z), 0.0);
     });
   }
 };
 
-bool grazing(double r, double mu) { return mu < 0.45 && r > 0.15 && r < 0.65; }
+// Errors at grazing angles, where the round lobe is furthest from the true one.
+class Grazing {
+ public:
+  void add(double r, double mu, double error) {
+    if (!(mu < 0.45 && r > 0.15 && r < 0.65)) return;
+    sum_ += error;
+    largest_ = std::max(largest_, error);
+    ++count_;
+  }
+  void put_into(Point& point) const {
+    point.extra["grazing mean"] = sum_ / count_;
+    point.extra["grazing largest"] = largest_;
+  }
+
+ private:
+  double sum_ = 0, largest_ = 0, count_ = 0;
+};
 
 Plot lobes_in(Session& session, const World& world, const DfgView& dfg,
               std::array<std::map<std::string, Cost>, 6>& costs) {
@@ -119,7 +129,7 @@ Plot lobes_in(Session& session, const World& world, const DfgView& dfg,
     point.cost = costs[m];
     session.kernels.back()->shade(args);
     std::vector<double> found, truth;
-    double grazed = 0, count = 0;
+    Grazing grazing;
     ErrorMap map{"error, of the mean radiance", "NoV", "roughness", grid.cosines, grid.roughness, {}};
     for (std::size_t i = 0; i < grid.truth.size(); ++i) {
       found.push_back(grid.pixels.radiance(i) / world.mean);
@@ -128,13 +138,11 @@ Plot lobes_in(Session& session, const World& world, const DfgView& dfg,
       const std::size_t cell = i / std::size_t(grid.sides);
       if (i % std::size_t(grid.sides) == 0) map.values.push_back(0);
       map.values.back() += error / grid.sides;
-      if (!grazing(grid.roughness[cell / grid.cosines.size()], grid.cosines[cell % grid.cosines.size()])) continue;
-      grazed += error;
-      ++count;
+      grazing.add(grid.roughness[cell / grid.cosines.size()], grid.cosines[cell % grid.cosines.size()], error);
     }
     point.method = absolute_error(found, truth);
     point.maps.push_back(map);
-    point.extra["grazing mean"] = grazed / count;
+    grazing.put_into(point);
     plot.points.push_back(point);
   }
   return plot;
@@ -192,18 +200,13 @@ Plot spheres_in(Session& session, const World& world, const DfgView& dfg,
     Point point = describe(catalogue::lookup_of(method.id), "spheres-" + world.id);
     point.cost = m < 5 ? costs[m] : costs[3];
     std::vector<double> found;
-    double grazed = 0, count = 0, worst = 0;
+    Grazing grazing;
     for (std::size_t i = 0; i < dots.size(); ++i) {
       found.push_back(pixels.radiance(i) / world.mean);
-      if (!grazing(dots[i].roughness, dots[i].n.z)) continue;
-      const double error = std::abs(found[i] - truth[i]);
-      grazed += error;
-      worst = std::max(worst, error);
-      ++count;
+      grazing.add(dots[i].roughness, dots[i].n.z, std::abs(found[i] - truth[i]));
     }
     point.method = absolute_error(found, truth);
-    point.extra["grazing mean"] = grazed / count;
-    point.extra["grazing largest"] = worst;
+    grazing.put_into(point);
     point.extra["noise of the truth"] = mean_noise;
     plot.points.push_back(point);
   }

@@ -5,11 +5,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <random>
 
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
+#include "bench/chart/samplers.hpp"
 #include "kernels/sampling.hpp"
 #include "precompute/sampling_texture.hpp"
 
@@ -34,17 +33,6 @@ constexpr std::array<Named<SamplingLayout>, 4> layouts = {{{SamplingLayout::line
 constexpr std::array<Named<SamplingFilter>, 3> filters = {{{SamplingFilter::nearest, "nearest"},
                                                            {SamplingFilter::bilinear, "bilinear"},
                                                            {SamplingFilter::trilinear, "trilinear"}}};
-
-const SamplingKernel* kernel_of(const char* isa, SamplingFormat format, SamplingLayout layout, SamplingFilter filter,
-                                bool cube) {
-  for (const SamplingKernels* const* list = sampling_tables; *list != nullptr; ++list)
-    for (int k = 0; std::strcmp((*list)->isa, isa) == 0 && k < (*list)->count; ++k) {
-      const SamplingKernel& kernel = (*list)->first[k];
-      if (kernel.format == format && kernel.layout == layout && kernel.filter == filter && kernel.cube == cube)
-        return &kernel;
-    }
-  return nullptr;
-}
 
 // Where samples lie. Scattered: anywhere, each on its own. Turned: along lines across the texture, one texel apart, at
 // 60 degrees to its rows, as a surface that is turned on the screen reads it.
@@ -101,7 +89,7 @@ std::map<std::string, Cost> time_sampling(Session& session, const SamplingTextur
   args.count = count;
   std::map<std::string, Cost> cost;
   for (const Kernels* kernels : session.kernels)
-    if (const SamplingKernel* kernel = kernel_of(kernels->isa, format, layout, filter, cube))
+    if (const SamplingKernel* kernel = sampler_of(kernels->isa, format, layout, filter, cube))
       cost[kernels->isa] = session.time(count, [&] { kernel->run(args); });
   return cost;
 }
@@ -132,7 +120,7 @@ Error format_error(const Session& session, SamplingFormat format) {
     samples.out[c].resize(colours.size());
     args.out[c] = samples.out[c].data();
   }
-  kernel_of(session.kernels.back()->isa, format, SamplingLayout::linear, SamplingFilter::nearest, false)->run(args);
+  sampler_of(session.kernels.back()->isa, format, SamplingLayout::linear, SamplingFilter::nearest, false)->run(args);
   std::vector<double> found, truth;
   for (std::size_t k = 0; k < colours.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -171,7 +159,7 @@ Point measure(Session& session, const Case& c, const Error& error) {
     if (!paper.empty()) point.paper += "; " + paper;
   point.method = error;
   point.extra["bytes"] = double(texture.bytes);
-  add_counts(point, c.format.value, c.layout.value, c.filter.value, c.cube);
+  add_sampler_counts(point, c.format.value, c.layout.value, c.filter.value, c.cube);
   point.cost = time_sampling(session, texture, c.format.value, c.layout.value, c.filter.value, c.cube, c.pattern);
   return point;
 }

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 
 #include "base/parallel.hpp"
 #include "bench/chart/ibl_world.hpp"
-#include "bench/chart/instructions.hpp"
 #include "bench/chart/measure.hpp"
+#include "bench/chart/samplers.hpp"
 #include "cli/prefilter_check.hpp"
-#include "kernels/sampling.hpp"
 #include "precompute/prefilter.hpp"
 #include "precompute/sampling_texture.hpp"
 #include "reference/convolution.hpp"
@@ -175,16 +173,12 @@ Plot format_plot(Session& session, const World& world) {
     Point point = describe(catalogue::lookup_of(id), "");
     point.id = std::string("ibl-format-") + id;
     point.extra["bytes"] = double(texture.bytes);
-    add_counts(point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
+    add_sampler_counts(point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
     session.progress(plot.id + ": " + point.title);
     for (const Kernels* kernels : session.kernels)
-      for (const SamplingKernels* const* list = sampling_tables; *list != nullptr; ++list)
-        for (int k = 0; std::strcmp((*list)->isa, kernels->isa) == 0 && k < (*list)->count; ++k) {
-          const SamplingKernel& kernel = (*list)->first[k];
-          if (kernel.cube && kernel.format == format && kernel.layout == SamplingLayout::linear &&
-              kernel.filter == SamplingFilter::trilinear)
-            point.cost[kernels->isa] = session.time(count, [&] { kernel.run(args); });
-        }
+      if (const SamplingKernel* kernel =
+              sampler_of(kernels->isa, format, SamplingLayout::linear, SamplingFilter::trilinear, true))
+        point.cost[kernels->isa] = session.time(count, [&] { kernel->run(args); });
     std::vector<double> found;
     for (const float value : out[1]) found.push_back(double(value) / world.mean);
     if (truth.empty()) truth = found;

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/chart/chart.hpp"
 #include "kernels/sampling.hpp"
 
 namespace tessera::chart {
@@ -29,9 +28,5 @@ struct SamplerCount {
 };
 
 const std::vector<SamplerCount>& sampler_counts();
-
-/// Columns for a point of this way to sample: instructions and, where the instruction set has them, gathers per vector;
-/// how often a lookup reads memory.
-void add_counts(Point& point, SamplingFormat format, SamplingLayout layout, SamplingFilter filter, bool cube);
 
 }  // namespace tessera::chart

@@ -90,17 +90,6 @@ void add_cost(Session& session, Point& point, const std::string& term, std::vect
     if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
 }
 
-void add_counts(Point& point, SamplingFormat format, SamplingLayout layout, SamplingFilter filter, bool cube) {
-  for (const SamplerCount& count : sampler_counts()) {
-    if (count.format != format || count.layout != layout || count.filter != filter || count.cube != cube) continue;
-    point.extra["instructions " + count.isa] = count.instructions;
-    const int gathers = count.gathers_of_words + count.gathers_of_pairs;
-    if (gathers == 0) continue;  // SSE4.2, NEON: lane by lane
-    point.extra["gathers " + count.isa] = gathers;
-    point.extra["loads a lookup"] = count.gathers_of_words + count.gathers_of_pairs / 2.0;
-  }
-}
-
 std::vector<double> spread(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / (count - 1));
