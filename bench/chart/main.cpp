@@ -48,7 +48,7 @@ struct Options {
 void list_families() {
   std::string text;
   const auto add = [&](const std::string& title, const std::string& paper) {
-    text += paper.empty() ? fmt::format("  {}\n", title) : fmt::format("  {:<44}{}\n", title, shortened(paper, 72));
+    text += paper.empty() ? fmt::format("  {}\n", title) : fmt::format("  {:<42}  {}\n", title, shortened(paper, 72));
   };
   for (const FamilyEntry& family : families()) {
     text += family.name + "\n";

@@ -30,7 +30,8 @@ size of the one before. Irradiance is nine harmonics (exact solid angles), or a 
 --cube writes mK_px ... of every level K and irradiance_px ..., in OpenGL's and Vulkan's orientation.
 --sh prints the harmonics of the radiance, L_lm by orthonormal real Y_lm over world x, y, z (+Y up).
 --extract-light takes the brightest compact source out: rendering puts a directional light in its place.
---check compares levels of reflection with brute force in double precision: sums over all texels of the sharpest level.
+--check compares levels of reflection with brute force in double precision, sums over all texels of the sharpest level; errors
+are parts of the level's RMS. seam: the RMS step across edges of the cube, of that beside them (1: edges do not show).
 
 Examples:
   tessera bake courtyard.exr -o courtyard.tsra

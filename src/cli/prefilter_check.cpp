@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "precompute/prefilter.hpp"
@@ -39,6 +40,31 @@ Sums compare(const CubeLevel& level, const std::vector<std::size_t>& chosen, dou
     }
   }
   return sums;
+}
+
+double seam_of(const Cube& cube, int level, const Kernels& kernels) {
+  const int n = cube.size() >> level, row = n + 2;  // with borders, which hold the neighbours' edges
+  std::vector<float> texels(std::size_t{6} * std::size_t(row) * std::size_t(row) * 4);
+  kernels.unpack_half(cube.texels().data() + cube_level_offset(cube.size(), level) * 4, texels.data(), texels.size());
+  double across = 0, inside = 0;
+  for (int face = 0; face < 6; ++face) {
+    const auto texel = [&](int i, int j) {
+      return &texels[((std::size_t(face) * std::size_t(row) + std::size_t(j + 1)) * std::size_t(row) +
+                      std::size_t(i + 1)) *
+                     4];
+    };
+    const auto add = [](double& sum, const float* a, const float* b) {
+      for (int c = 0; c < 3; ++c) sum += (double(a[c]) - double(b[c])) * (double(a[c]) - double(b[c]));
+    };
+    for (int k = 0; k < n; ++k)
+      for (const auto& [edge, outwards] : {std::pair{0, -1}, {n - 1, 1}}) {
+        add(across, texel(edge, k), texel(edge + outwards, k));
+        add(inside, texel(edge, k), texel(edge - outwards, k));
+        add(across, texel(k, edge), texel(k, edge + outwards));
+        add(inside, texel(k, edge), texel(k, edge - outwards));
+      }
+  }
+  return inside > 0 ? std::sqrt(across / inside) : across > 0 ? INFINITY : 1;
 }
 
 }  // namespace
@@ -76,7 +102,7 @@ std::vector<LevelError> check_prefilter(const Cube& cube, float curve, std::size
     }
     const double scale = std::max(std::sqrt(sums.squares), std::numeric_limits<double>::min());
     result.push_back({k, level.size, roughness, count, std::sqrt(sums.errors) / scale,
-                      sums.largest / scale * std::sqrt(3.0 * double(count))});
+                      sums.largest / scale * std::sqrt(3.0 * double(count)), seam_of(cube, k, kernels)});
   }
   return result;
 }
@@ -93,10 +119,10 @@ double brightest_over_median(const Cube& cube, const Kernels& kernels) {
 }
 
 std::string table_of(const std::vector<LevelError>& errors) {
-  std::string text = "level  size  roughness  texels  RMS error  largest   (of the level's RMS)\n";
+  std::string text = "level  size  roughness  texels  RMS error  largest   seam\n";
   for (const LevelError& e : errors)
-    text += fmt::format("{:5} {:5} {:10.3f} {:7} {:10.1e} {:8.1e}\n", e.level, e.size, e.roughness, e.texels, e.rms,
-                        e.largest);
+    text += fmt::format("{:5} {:5} {:10.3f} {:7} {:10.1e} {:8.1e} {:6.2f}\n", e.level, e.size, e.roughness, e.texels,
+                        e.rms, e.largest, e.seam);
   return text;
 }
 

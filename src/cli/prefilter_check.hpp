@@ -14,6 +14,7 @@ struct LevelError {
   double roughness;
   std::size_t texels;   // that were compared
   double rms, largest;  // over them and the three channels; in units of the level's own RMS
+  double seam;          // the RMS step across edges of the cube, of that from the edges to the next texels inside
 };
 
 /// Each level but the sharpest against reference::CubeSum over level 0. texels: how many of a level, evenly from all

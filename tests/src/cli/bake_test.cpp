@@ -109,9 +109,11 @@ std::vector<double> checked_errors(const std::string& text) {
   std::getline(lines, line);
   while (std::getline(lines, line) && line.rfind("the brightest", 0) != 0) {
     std::istringstream words(line);
-    double level = 0, size = 0, roughness = 0, texels = 0, rms = -1;
-    words >> level >> size >> roughness >> texels >> rms;
+    double level = 0, size = 0, roughness = 0, texels = 0, rms = -1, largest = -1, seam = -1;
+    words >> level >> size >> roughness >> texels >> rms >> largest >> seam;
     EXPECT_EQ(size, 64 / std::pow(2, level)) << text;
+    EXPECT_GE(largest, rms) << text;
+    EXPECT_TRUE(size < 8 || (seam > 0.5 && seam < 2)) << text;
     errors.push_back(rms);
   }
   return errors;
