@@ -159,7 +159,7 @@ Point measure(Session& session, const Case& c, const Error& error) {
     if (!paper.empty()) point.paper += "; " + paper;
   point.method = error;
   point.extra["bytes"] = double(texture.bytes);
-  add_sampler_counts(point, c.format.value, c.layout.value, c.filter.value, c.cube);
+  add_sampler_counts(session, point, c.format.value, c.layout.value, c.filter.value, c.cube);
   point.cost = time_sampling(session, texture, c.format.value, c.layout.value, c.filter.value, c.cube, c.pattern);
   return point;
 }

@@ -173,7 +173,7 @@ Plot format_plot(Session& session, const World& world) {
     Point point = describe(catalogue::lookup_of(id), "");
     point.id = std::string("ibl-format-") + id;
     point.extra["bytes"] = double(texture.bytes);
-    add_sampler_counts(point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
+    add_sampler_counts(session, point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
     session.progress(plot.id + ": " + point.title);
     for (const Kernels* kernels : session.kernels)
       if (const SamplingKernel* kernel =

@@ -29,6 +29,9 @@ Point describe(const std::string& term);
 /// The same of a lookup; id: its own, and `suffix` after a hyphen.
 Point describe(const catalogue::Lookup& lookup, const std::string& suffix);
 
+/// Whether the session measures this instruction set.
+bool runs_on(const Session& session, const std::string& isa);
+
 /// Times a term over all the inputs given, and adds how many instructions its loop has.
 void add_cost(Session&, Point&, const std::string& term, std::vector<std::vector<float>> inputs,
               const float* table = nullptr, int table_size = 0);

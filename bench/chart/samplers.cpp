@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "bench/chart/instructions.hpp"
+#include "bench/chart/measure.hpp"
 
 namespace tessera::chart {
 
@@ -17,9 +18,11 @@ const SamplingKernel* sampler_of(const char* isa, SamplingFormat format, Samplin
   return nullptr;
 }
 
-void add_sampler_counts(Point& point, SamplingFormat format, SamplingLayout layout, SamplingFilter filter, bool cube) {
+void add_sampler_counts(const Session& session, Point& point, SamplingFormat format, SamplingLayout layout,
+                        SamplingFilter filter, bool cube) {
   for (const SamplerCount& count : sampler_counts()) {
     if (count.format != format || count.layout != layout || count.filter != filter || count.cube != cube) continue;
+    if (!runs_on(session, count.isa)) continue;
     point.extra["instructions " + count.isa] = count.instructions;
     const int gathers = count.gathers_of_words + count.gathers_of_pairs;
     if (gathers == 0) continue;  // SSE4.2, NEON: lane by lane

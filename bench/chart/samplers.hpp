@@ -10,7 +10,8 @@ const SamplingKernel* sampler_of(const char* isa, SamplingFormat format, Samplin
                                  bool cube);
 
 /// Columns for a point of this way to sample: instructions and, where the instruction set has them, gathers per vector;
-/// how often a lookup reads memory.
-void add_sampler_counts(Point& point, SamplingFormat format, SamplingLayout layout, SamplingFilter filter, bool cube);
+/// how often a lookup reads memory. Of the session's instruction sets.
+void add_sampler_counts(const Session& session, Point& point, SamplingFormat format, SamplingLayout layout,
+                        SamplingFilter filter, bool cube);
 
 }  // namespace tessera::chart
