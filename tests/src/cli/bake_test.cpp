@@ -113,7 +113,7 @@ std::vector<double> checked_errors(const std::string& text) {
     words >> level >> size >> roughness >> texels >> rms >> largest >> seam;
     EXPECT_EQ(size, 64 / std::pow(2, level)) << text;
     EXPECT_GE(largest, rms) << text;
-    EXPECT_TRUE(size < 8 || (seam > 0.5 && seam < 2)) << text;
+    EXPECT_TRUE(seam > 0 && seam < 1.1) << text;
     errors.push_back(rms);
   }
   return errors;
