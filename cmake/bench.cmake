@@ -29,3 +29,26 @@ if(TESSERA_BUILD_TESTS)
   target_link_libraries(scaling_tests PRIVATE tessera_core GTest::gtest_main)
   gtest_discover_tests(scaling_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endif()
+
+# The price of the determinism contract: the kernels that draw a frame once more, with free contraction, in namespaces
+# of their own. Built only when asked for.
+set(TESSERA_CONTRACTED_ENTRIES)
+foreach(entry geometry coverage resolve shade)
+  list(APPEND TESSERA_CONTRACTED_ENTRIES ${CMAKE_SOURCE_DIR}/kernels/entry/${entry}.cpp)
+endforeach()
+add_library(tessera_contraction INTERFACE)
+target_compile_options(tessera_contraction INTERFACE -ffp-contract=fast)  # after tessera_flags, which it overrides
+set(TESSERA_DETERMINISM_SOURCES ${TESSERA_WORKLOAD_SOURCES})
+list(FILTER TESSERA_DETERMINISM_SOURCES INCLUDE REGEX "/(inputs|shade_blocks)\\.cpp$")
+add_executable(tessera_determinism EXCLUDE_FROM_ALL
+               ${CMAKE_SOURCE_DIR}/bench/determinism/main.cpp ${CMAKE_SOURCE_DIR}/bench/determinism/contracted.cpp
+               ${TESSERA_DETERMINISM_SOURCES})
+target_link_libraries(tessera_determinism PRIVATE tessera_core)
+foreach(isa IN LISTS TESSERA_ISAS)
+  if(NOT isa STREQUAL sse42)  # it has no fused multiply-add
+    add_library(tessera_contracted_${isa} OBJECT EXCLUDE_FROM_ALL ${TESSERA_CONTRACTED_ENTRIES})
+    tessera_compile_for_isa(tessera_contracted_${isa} ${isa} ${isa}_contracted)
+    target_link_libraries(tessera_contracted_${isa} PRIVATE tessera_contraction)
+    target_sources(tessera_determinism PRIVATE $<TARGET_OBJECTS:tessera_contracted_${isa}>)
+  endif()
+endforeach()

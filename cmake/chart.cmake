@@ -44,11 +44,11 @@ if(TESSERA_BUILD_BENCH)
   endforeach()
   configure_file(${CMAKE_SOURCE_DIR}/cmake/families.cpp.in ${CMAKE_BINARY_DIR}/generated/families.cpp @ONLY)
 
-  # loop_counts.cpp: instructions of each term, counted in this build's own objects.
+  # loop_counts.cpp: instructions of each term and sampler, counted in this build's own objects.
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   set(term_objects)
   foreach(isa IN LISTS TESSERA_ISAS)
-    list(APPEND term_objects "$<FILTER:$<TARGET_OBJECTS:tessera_kernels_${isa}>,INCLUDE,/terms_>")
+    list(APPEND term_objects "$<FILTER:$<TARGET_OBJECTS:tessera_kernels_${isa}>,INCLUDE,/(terms_|sampling)>")
   endforeach()
   add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/generated/loop_counts.cpp
                      COMMAND Python3::Interpreter ${CMAKE_SOURCE_DIR}/bench/chart/instructions.py ${CMAKE_OBJDUMP}
@@ -78,7 +78,7 @@ if(TESSERA_BUILD_BENCH)
   list(REMOVE_ITEM TESSERA_CHART_SOURCES ${TESSERA_CHART_DRAWING})
   add_executable(tessera_chart ${TESSERA_CHART_SOURCES} ${CMAKE_BINARY_DIR}/generated/families.cpp
                                ${CMAKE_BINARY_DIR}/generated/loop_counts.cpp ${CMAKE_SOURCE_DIR}/src/cli/help.cpp
-                               ${CMAKE_SOURCE_DIR}/src/cli/text.cpp)
+                               ${CMAKE_SOURCE_DIR}/src/cli/prefilter_check.cpp ${CMAKE_SOURCE_DIR}/src/cli/text.cpp)
   set_target_properties(tessera_chart PROPERTIES OUTPUT_NAME tessera-chart)
   add_dependencies(tessera_chart tessera_commit)
   target_include_directories(tessera_chart PRIVATE ${CMAKE_BINARY_DIR}/generated)

@@ -19,11 +19,13 @@ else()
   message(FATAL_ERROR "Tessera has kernels for x86-64 and AArch64, not for ${CMAKE_SYSTEM_PROCESSOR}")
 endif()
 
-# Compiles a target as the kernels of one instruction set.
+# Compiles a target as the kernels of one instruction set; in another namespace than the set's name, if one is given.
 function(tessera_compile_for_isa target isa)
+  set(namespace ${isa} ${ARGN})
+  list(GET namespace -1 namespace)
   target_link_libraries(${target} PRIVATE tessera_flags)
   target_include_directories(${target} SYSTEM PRIVATE ${XSIMD_INCLUDE_DIR})
-  target_compile_definitions(${target} PRIVATE TESSERA_ISA=${isa})
+  target_compile_definitions(${target} PRIVATE TESSERA_ISA=${namespace})
   target_compile_options(${target} PRIVATE ${TESSERA_FLAGS_${isa}} -Werror=double-promotion $<$<CONFIG:Debug>:-O1>
                                            -fno-exceptions -fno-rtti)
   # Vectors of vectors (Vec3<Float>: 192 bytes) exceed what GCC splits into registers by default; without this every

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/image.hpp"
 #include "kernels/interface.hpp"
 
 namespace tessera::chart {
@@ -63,10 +64,17 @@ struct Family {
   std::vector<Plot> plots;
 };
 
+/// A person's environment: an equirectangular picture, RGB, finite, not negative.
+struct Surroundings {
+  std::string id, title;
+  Image picture;
+};
+
 /// What a family gets to work with.
 class Session {
  public:
   virtual ~Session() = default;
+  std::vector<Surroundings> pictures;   // --env: environments to measure in, instead of a family's own
   bool quick = false;                   // --quick: fewer samples, coarser maps; the same methods
   std::vector<const Kernels*> kernels;  // the instruction sets to time, widest last; errors are those of any of them
   /// Time per evaluation of body, which does `evaluations` of them. Through Google Benchmark, on one thread.

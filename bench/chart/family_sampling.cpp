@@ -5,10 +5,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <random>
 
 #include "bench/chart/measure.hpp"
+#include "bench/chart/samplers.hpp"
 #include "kernels/sampling.hpp"
 #include "precompute/sampling_texture.hpp"
 
@@ -18,31 +18,21 @@ namespace {
 template <class Value>
 struct Named {
   Value value;
-  const char *id, *title;
+  const char* id;  // among catalogue::lookups()
+  [[nodiscard]] const catalogue::Lookup& text() const { return catalogue::lookup_of(id); }
 };
 
-constexpr std::array<Named<SamplingFormat>, 4> formats = {{{SamplingFormat::rgba32_float, "rgba32f", "RGBA32F"},
-                                                           {SamplingFormat::rgba16_float, "rgba16f", "RGBA16F"},
-                                                           {SamplingFormat::rgb9_e5, "rgb9e5", "RGB9E5"},
-                                                           {SamplingFormat::r11_g11_b10, "r11g11b10f", "R11G11B10F"}}};
-constexpr std::array<Named<SamplingLayout>, 4> layouts = {{{SamplingLayout::linear, "linear", "rows"},
-                                                           {SamplingLayout::tiled_4, "tiled4", "4 x 4 tiles"},
-                                                           {SamplingLayout::tiled_8, "tiled8", "8 x 8 tiles"},
-                                                           {SamplingLayout::morton, "morton", "Morton order"}}};
-constexpr std::array<Named<SamplingFilter>, 3> filters = {{{SamplingFilter::nearest, "nearest", "nearest"},
-                                                           {SamplingFilter::bilinear, "bilinear", "bilinear"},
-                                                           {SamplingFilter::trilinear, "trilinear", "trilinear"}}};
-
-const SamplingKernel* kernel_of(const char* isa, SamplingFormat format, SamplingLayout layout, SamplingFilter filter,
-                                bool cube) {
-  for (const SamplingKernels* const* list = sampling_tables; *list != nullptr; ++list)
-    for (int k = 0; std::strcmp((*list)->isa, isa) == 0 && k < (*list)->count; ++k) {
-      const SamplingKernel& kernel = (*list)->first[k];
-      if (kernel.format == format && kernel.layout == layout && kernel.filter == filter && kernel.cube == cube)
-        return &kernel;
-    }
-  return nullptr;
-}
+constexpr std::array<Named<SamplingFormat>, 4> formats = {{{SamplingFormat::rgba32_float, "rgba32f"},
+                                                           {SamplingFormat::rgba16_float, "rgba16f"},
+                                                           {SamplingFormat::rgb9_e5, "rgb9e5"},
+                                                           {SamplingFormat::r11_g11_b10, "r11g11b10f"}}};
+constexpr std::array<Named<SamplingLayout>, 4> layouts = {{{SamplingLayout::linear, "linear"},
+                                                           {SamplingLayout::tiled_4, "tiled4"},
+                                                           {SamplingLayout::tiled_8, "tiled8"},
+                                                           {SamplingLayout::morton, "morton"}}};
+constexpr std::array<Named<SamplingFilter>, 3> filters = {{{SamplingFilter::nearest, "nearest"},
+                                                           {SamplingFilter::bilinear, "bilinear"},
+                                                           {SamplingFilter::trilinear, "trilinear"}}};
 
 // Where samples lie. Scattered: anywhere, each on its own. Turned: along lines across the texture, one texel apart, at
 // 60 degrees to its rows, as a surface that is turned on the screen reads it.
@@ -99,7 +89,7 @@ std::map<std::string, Cost> time_sampling(Session& session, const SamplingTextur
   args.count = count;
   std::map<std::string, Cost> cost;
   for (const Kernels* kernels : session.kernels)
-    if (const SamplingKernel* kernel = kernel_of(kernels->isa, format, layout, filter, cube))
+    if (const SamplingKernel* kernel = sampler_of(kernels->isa, format, layout, filter, cube))
       cost[kernels->isa] = session.time(count, [&] { kernel->run(args); });
   return cost;
 }
@@ -130,7 +120,7 @@ Error format_error(const Session& session, SamplingFormat format) {
     samples.out[c].resize(colours.size());
     args.out[c] = samples.out[c].data();
   }
-  kernel_of(session.kernels.back()->isa, format, SamplingLayout::linear, SamplingFilter::nearest, false)->run(args);
+  sampler_of(session.kernels.back()->isa, format, SamplingLayout::linear, SamplingFilter::nearest, false)->run(args);
   std::vector<double> found, truth;
   for (std::size_t k = 0; k < colours.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -156,26 +146,20 @@ struct Case {
 
 Point measure(Session& session, const Case& c, const Error& error) {
   const SamplingTexture texture = texture_of(c.format.value, c.layout.value, c.cube, c.size);
-  Point point;
+  Point point = describe(c.format.text(), "");
   const char* pattern = c.cube || c.pattern == Pattern::scattered ? "scattered" : "turned";
   point.id = fmt::format("sampling-{}-{}-{}-{}-{}-{}", c.cube ? "cube" : "2d", c.format.id, c.layout.id, c.filter.id,
                          c.size, pattern);
   session.progress(point.id);
-  point.title = fmt::format("{}, {}, {}, {}, {}", c.format.title, c.layout.title, c.filter.title,
+  point.title = fmt::format("{}, {}, {}, {}, {}", c.format.text().title, c.layout.text().title, c.filter.text().title,
                             size_text(double(texture.bytes)), pattern);
   point.formula = fmt::format("{} of {} x {}{}, {} samples", c.cube ? "cube" : "texture", c.size, c.size,
                               c.cube ? " x 6" : "", pattern);
-  point.paper = c.format.value == SamplingFormat::rgb9_e5 || c.format.value == SamplingFormat::r11_g11_b10
-                    ? "OpenGL 4.6, section 8.5 and 8.25"
-                    : "IEEE 754";
-  if (c.layout.value == SamplingLayout::morton) point.paper += "; Morton 1966";
-  if (c.filter.value == SamplingFilter::trilinear) point.paper += "; Williams 1983, Pyramidal Parametrics";
-  point.file = "kernels/texture/variants.hpp";
-  if (c.format.value == SamplingFormat::rgb9_e5)
-    point.fails = "channels far below the brightest: they share its exponent";
-  if (c.format.value == SamplingFormat::r11_g11_b10) point.fails = "blue has five bits: greys turn yellow or blue";
+  for (const std::string& paper : {c.layout.text().paper, c.filter.text().paper})
+    if (!paper.empty()) point.paper += "; " + paper;
   point.method = error;
   point.extra["bytes"] = double(texture.bytes);
+  add_sampler_counts(session, point, c.format.value, c.layout.value, c.filter.value, c.cube);
   point.cost = time_sampling(session, texture, c.format.value, c.layout.value, c.filter.value, c.cube, c.pattern);
   return point;
 }
@@ -236,7 +220,7 @@ Family measure_sampling(Session& session) {
     std::size_t best = 0;
     for (std::size_t k = 1; k < 4; ++k)
       if (ns(plot, points[k]) < ns(plot, points[best])) best = k;
-    return formats[best].title;
+    return formats[best].text().title;
   };
   const std::size_t step = sizes.size(), last = step - 1, row = 2 * step;
   family.findings = {

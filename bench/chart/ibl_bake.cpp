@@ -2,77 +2,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstring>
 #include <random>
 
 #include "base/parallel.hpp"
 #include "bench/chart/ibl_world.hpp"
 #include "bench/chart/measure.hpp"
-#include "kernels/sampling.hpp"
+#include "bench/chart/samplers.hpp"
+#include "cli/prefilter_check.hpp"
 #include "precompute/prefilter.hpp"
 #include "precompute/sampling_texture.hpp"
+#include "reference/convolution.hpp"
 
 namespace tessera::chart {
 namespace {
 
 using reference::Vec3;
 
-// Mean of a level's radiance over the round lobe about an axis.
-double convolved(const CubeLevel& finest, const Vec3& axis, double r) {
-  const double alpha2 = r * r * r * r;
-  double sum = 0, weights = 0;
-  for (int f = 0; f < 6; ++f)
-    for (int b = 0; b < finest.size; ++b)
-      for (int a = 0; a < finest.size; ++a) {
-        const CubeDirection e = texel_direction(f, a, b, finest.size);
-        const double NoL = axis.x * double(e.x) + axis.y * double(e.y) + axis.z * double(e.z);
-        if (NoL <= 0) continue;
-        const double t = alpha2 + (1 - alpha2) * (1 - NoL) / 2, weight = NoL / (t * t) * double(e.solid_angle);
-        sum += weight * double(finest.face(f)[(b * finest.size + a) * 4 + 1]);
-        weights += weight;
-      }
-  return sum / weights;
+// The world on faces of this size, rounded to halves as a cube's sharpest level is.
+CubeLevel level_of(const World& world, int size, const Kernels& kernels) {
+  EnvironmentSettings settings;
+  settings.specular_size = settings.background_size = size;
+  settings.levels = 1;
+  return build_environment(world.picture, settings, kernels).data().specular.load(0, kernels);
 }
 
-// Root mean square error of the levels against sums over all texels of level 0, relative to each level's RMS.
-Error prefilter_error(const Cube& cube, const CubeLevel& finest, bool quick, const Kernels& kernels) {
-  std::mt19937 random(7);
+Error prefilter_error(const Cube& cube, bool quick, const Kernels& kernels) {
   Error error;
-  for (int level = 1; level < cube.levels(); ++level) {
-    const int n = cube.size() >> level;
-    const double r = double(roughness_of_level(level, cube.levels()));
-    double squares = 0, errors = 0;
-    for (int k = 0; k < (quick ? 30 : 120); ++k) {
-      const int face = int(random() % 6), i = int(random() % unsigned(n)), j = int(random() % unsigned(n));
-      const CubeDirection d = texel_direction(face, i, j, n);
-      const double expected = convolved(finest, {double(d.x), double(d.y), double(d.z)}, r);
-      const std::size_t row = std::size_t(n) + 2, first = cube_level_offset(cube.size(), level);
-      const std::size_t at = first + (std::size_t(face) * row + std::size_t(j) + 1) * row + std::size_t(i) + 1;
-      float texel[4];
-      kernels.unpack_half(cube.texels().data() + at * 4, texel, 4);
-      squares += expected * expected;
-      errors += (double(texel[1]) - expected) * (double(texel[1]) - expected);
-    }
-    const double rms = std::sqrt(errors / squares);
-    error.max = std::max(error.max, rms);
-    error.mean += rms / (cube.levels() - 1);
-    error.rms = std::max(error.rms, rms);
+  for (const cli::LevelError& level : cli::check_prefilter(cube, prefilter_curve, quick ? 30 : 120, kernels)) {
+    error.max = std::max(error.max, level.rms);
+    error.mean += level.rms / (cube.levels() - 1);
   }
+  error.rms = error.max;
   return error;
-}
-
-CubeLevel level_of(const World& world, int size) {
-  CubeLevel level(size);
-  for (int face = 0; face < 6; ++face)
-    for (int j = 0; j < size; ++j)
-      for (int i = 0; i < size; ++i) {
-        const CubeDirection d = texel_direction(face, i, j, size);
-        const float L = float(world.map.radiance(normalize(Vec3{double(d.x), double(d.y), double(d.z)})).y);
-        std::fill_n(level.face(face) + (j * size + i) * 4, 3, L);
-      }
-  return level;
 }
 
 }  // namespace
@@ -87,22 +49,18 @@ Plot prefilter_plot(Session& session, const World& world) {
   const auto add = [&](int size, int samples) {
     const std::string name = samples == 0 ? "sums" : fmt::format("{} points", samples);
     session.progress(fmt::format("{}: {}, {}", plot.id, name, size));
-    const CubeLevel level = level_of(world, size);
+    const Kernels& widest = *session.kernels.back();
+    const CubeLevel level = level_of(world, size, widest);
     const int levels = log2_of(size) - 1;
-    Point point;
+    Point point = describe(catalogue::lookup_of(samples == 0 ? "ibl-prefilter-sums" : "ibl-prefilter-points"), "");
     point.id = fmt::format("ibl-prefilter-{}-{}", samples, size);
     point.title = fmt::format("{}, {} x {}", name, size, size);
-    point.formula = samples == 0 ? "sum of K(n.l) L dw / sum of K(n.l) dw" : "sum of w L(l, lod)";
-    point.paper = samples == 0 ? "Barnes and Hut 1986" : "Krivanek and Colbert 2008";
-    point.file = "src/precompute/prefilter.cpp";
-    if (samples > 0) point.fails = "bright lights seen by few points";
     const std::size_t texels = 6 * std::size_t(size) * std::size_t(size) / 3;
     for (const Kernels* kernels : session.kernels)
       run_with_threads(1, [&] {
         point.cost[kernels->isa] = session.time(texels, [&] { (void)prefiltered(level, levels, samples, *kernels); });
       });
-    point.method = prefilter_error(prefiltered(level, levels, samples, *session.kernels.back()), level, session.quick,
-                                   *session.kernels.back());
+    point.method = prefilter_error(prefiltered(level, levels, samples, widest), session.quick, widest);
     plot.points.push_back(point);
   };
   for (const int size : session.quick ? std::vector{64} : std::vector{64, 128, 256}) add(size, 0);
@@ -118,7 +76,8 @@ Plot level_plot(Session& session, const World& world) {
   plot.domain = "r 0.1 to 1, trilinear lookups all over the sphere, 128 x 128, in " + world.title;
   plot.truth = "the lobe's integral at that roughness";
   plot.measure = Measure::mean;
-  const CubeLevel level = level_of(world, 128);
+  const Kernels& kernels = *session.kernels.back();
+  const CubeLevel level = level_of(world, 128, kernels);
   const int steps = session.quick ? 9 : 18, count = session.quick ? 24 : 96;
   std::mt19937 random(6);
   std::normal_distribution<double> gauss;
@@ -128,10 +87,13 @@ Plot level_plot(Session& session, const World& world) {
     axes.push_back(normalize(Vec3{x, y, z}));
   }
   const std::vector<double> roughness = spread(0.1, 1, steps);
+  const reference::CubeSum sum(cli::as_sphere(level));
   std::vector<double> truth(axes.size());
-  parallel_for(axes.size(),
-               [&](std::size_t i) { truth[i] = convolved(level, axes[i], roughness[i / std::size_t(count)]); });
-  const Kernels& kernels = *session.kernels.back();
+  parallel_for(std::size_t(steps), [&](std::size_t step) {
+    const std::size_t first = step * std::size_t(count);
+    const std::vector<Vec3> means = sum.convolved({&axes[first], std::size_t(count)}, roughness[step]);
+    for (std::size_t k = 0; k < means.size(); ++k) truth[first + k] = means[k].y;
+  });
   for (const int levels : {5, 6, 7, 8})
     for (const float curve : {0.0f, 0.5f, 1.0f}) {
       Point point;
@@ -191,13 +153,13 @@ Plot format_plot(Session& session, const World& world) {
     in[3].push_back(float(k % 400) / 100);
   }
   for (auto& channel : out) channel.resize(count);
-  std::vector<CubeLevel> mips = {level_of(world, size)};
+  std::vector<CubeLevel> mips = {level_of(world, size, *session.kernels.back())};
   while (int(mips.size()) < levels) mips.push_back(halved(mips.back()));
   std::vector<double> truth;
-  const std::pair<SamplingFormat, const char*> formats[] = {{SamplingFormat::rgba32_float, "RGBA32F"},
-                                                            {SamplingFormat::rgba16_float, "RGBA16F"},
-                                                            {SamplingFormat::rgb9_e5, "RGB9E5"}};
-  for (const auto& [format, title] : formats) {
+  const std::pair<SamplingFormat, const char*> formats[] = {{SamplingFormat::rgba32_float, "rgba32f"},
+                                                            {SamplingFormat::rgba16_float, "rgba16f"},
+                                                            {SamplingFormat::rgb9_e5, "rgb9e5"}};
+  for (const auto& [format, id] : formats) {
     const SamplingTexture texture = build_sampling_texture(
         format, SamplingLayout::linear, true, size, levels, [&](int level, int face, int x, int y) {
           const CubeLevel& mip = mips[std::size_t(level)];
@@ -208,23 +170,15 @@ Plot format_plot(Session& session, const World& world) {
                             {in[0].data(), in[1].data(), in[2].data(), in[3].data()},
                             {out[0].data(), out[1].data(), out[2].data()},
                             count};
-    Point point;
-    point.title = title;
-    point.id = "ibl-format-" + point.title;
-    std::transform(point.id.begin(), point.id.end(), point.id.begin(), [](unsigned char c) { return std::tolower(c); });
-    point.formula = fmt::format("{} bytes a texel", sampling_texel_bytes(format));
-    point.paper = format == SamplingFormat::rgb9_e5 ? "OpenGL 4.6, section 8.25" : "IEEE 754";
-    point.file = "kernels/texture/variants.hpp";
+    Point point = describe(catalogue::lookup_of(id), "");
+    point.id = std::string("ibl-format-") + id;
     point.extra["bytes"] = double(texture.bytes);
+    add_sampler_counts(session, point, format, SamplingLayout::linear, SamplingFilter::trilinear, true);
     session.progress(plot.id + ": " + point.title);
     for (const Kernels* kernels : session.kernels)
-      for (const SamplingKernels* const* list = sampling_tables; *list != nullptr; ++list)
-        for (int k = 0; std::strcmp((*list)->isa, kernels->isa) == 0 && k < (*list)->count; ++k) {
-          const SamplingKernel& kernel = (*list)->first[k];
-          if (kernel.cube && kernel.format == format && kernel.layout == SamplingLayout::linear &&
-              kernel.filter == SamplingFilter::trilinear)
-            point.cost[kernels->isa] = session.time(count, [&] { kernel.run(args); });
-        }
+      if (const SamplingKernel* kernel =
+              sampler_of(kernels->isa, format, SamplingLayout::linear, SamplingFilter::trilinear, true))
+        point.cost[kernels->isa] = session.time(count, [&] { kernel->run(args); });
     std::vector<double> found;
     for (const float value : out[1]) found.push_back(double(value) / world.mean);
     if (truth.empty()) truth = found;

@@ -13,17 +13,17 @@ namespace {
 
 using reference::Vec3;
 constexpr double pi = std::numbers::pi;
-constexpr int width = 256, height = 128;
 
-Vec3 direction(int x, int y) {
+Vec3 direction(int x, int y, int width, int height) {
   const double theta = pi * (y + 0.5) / height, phi = 2 * pi * ((x + 0.5) / width - 0.5);
   return {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)};
 }
 
 Image paint(const std::function<double(const Vec3&)>& radiance) {
+  constexpr int width = 256, height = 128;
   Image image(width, height, 3);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) std::fill_n(image.at(x, y), 3, float(radiance(direction(x, y))));
+    for (int x = 0; x < width; ++x) std::fill_n(image.at(x, y), 3, float(radiance(direction(x, y, width, height))));
   return image;
 }
 
@@ -59,17 +59,18 @@ double studio(const Vec3& d) {
 
 }  // namespace
 
-World::World(std::string name, std::string text, const Image& image, const Kernels& kernels)
-    : id(std::move(name)),
-      title(std::move(text)),
-      picture(image),
-      environment(build_environment(image, bake_settings(), kernels)),
-      map(as_sphere(image), 0),
+World::World(Surroundings surroundings, const EnvironmentSettings& settings, const Kernels& kernels)
+    : id(std::move(surroundings.id)),
+      title(std::move(surroundings.title)),
+      picture(std::move(surroundings.picture)),
+      environment(build_environment(picture, settings, kernels)),
+      map(as_sphere(picture), 0),
       mean(environment.data().statistics.mean[1]) {
+  const int width = picture.width, height = picture.height;
   for (int y = 0; y < height; ++y) {
     const double rows = std::cos(pi * y / height) - std::cos(pi * (y + 1) / height);
     for (int x = 0; x < width; ++x)
-      texels_.push_back({direction(x, y), rows * 2 * pi / width, double(picture.at(x, y)[1])});
+      texels_.push_back({direction(x, y, width, height), rows * 2 * pi / width, double(picture.at(x, y)[1])});
   }
 }
 
@@ -77,7 +78,8 @@ double World::reflected(const Vec3& n, const Vec3& v, double alpha) const {
   const double nv = dot(n, v);
   const Vec3 t = normalize(v - n * nv), b = cross(n, t), local{dot(v, t), 0, nv};
   double sum = 0;
-  if (alpha >= 0.08) {
+  const double finer = picture.width / 256.0;
+  if (alpha * finer >= 0.08) {
     for (const Texel& texel : texels_) {
       const Vec3 l{dot(texel.d, t), dot(texel.d, b), dot(texel.d, n)};
       if (l.z > 0)
@@ -86,7 +88,7 @@ double World::reflected(const Vec3& n, const Vec3& v, double alpha) const {
     return sum;
   }
   // Heitz 2018: a point (r, phi) of the disc to a visible normal; its weight is G2 / G1.
-  constexpr int side = 64;
+  const int side = std::clamp(int(64 * finer), 64, 256);
   const Vec3 w = normalize(Vec3{alpha * local.x, 0, local.z}), t2 = cross(w, Vec3{0, 1, 0});
   const double s = (1 + w.z) / 2, theta_v = std::acos(nv);
   const double masked_v = 1 / (1 + reference::ggx_lambda(theta_v, alpha));
@@ -104,11 +106,14 @@ double World::reflected(const Vec3& n, const Vec3& v, double alpha) const {
   return sum;
 }
 
-std::vector<World> make_worlds(const Kernels& kernels) {
+std::vector<World> make_worlds(const Session& session) {
+  const Kernels& kernels = *session.kernels.back();
   std::vector<World> worlds;
-  worlds.emplace_back("sky", "a sky with a sun", paint(sky), kernels);
-  worlds.emplace_back("room", "a room with windows", paint(room), kernels);
-  worlds.emplace_back("studio", "strip lights in a studio", paint(studio), kernels);
+  for (const Surroundings& given : session.pictures) worlds.emplace_back(given, EnvironmentSettings{}, kernels);
+  if (!worlds.empty()) return worlds;
+  worlds.emplace_back(Surroundings{"sky", "a sky with a sun", paint(sky)}, bake_settings(), kernels);
+  worlds.emplace_back(Surroundings{"room", "a room with windows", paint(room)}, bake_settings(), kernels);
+  worlds.emplace_back(Surroundings{"studio", "strip lights in a studio", paint(studio)}, bake_settings(), kernels);
   return worlds;
 }
 

@@ -9,9 +9,9 @@
 
 namespace tessera::chart {
 
-/// Grey radiance from all around: as the renderer bakes it, and as it is.
+/// Radiance from all around: as the renderer bakes it, and as it is. Of its channels the second alone is measured.
 struct World {
-  World(std::string id, std::string title, const Image& picture, const Kernels& kernels);
+  World(Surroundings surroundings, const EnvironmentSettings& settings, const Kernels& kernels);
 
   std::string id, title;
   Image picture;  // equirectangular, RGB
@@ -20,7 +20,7 @@ struct World {
   double mean;  // radiance over the sphere
 
   /// What white facets of the GGX lobe reflect to v: the integral of D G2 / (4 n.v n.l) L n.l. Over the picture's
-  /// texels where the lobe is wide against them, else over 4096 visible normals.
+  /// texels where the lobe is wide against them, else over visible normals.
   [[nodiscard]] double reflected(const reference::Vec3& n, const reference::Vec3& v, double alpha) const;
 
  private:
@@ -31,8 +31,9 @@ struct World {
   std::vector<Texel> texels_;
 };
 
-/// A sky with a sun above a dark ground; a dark room with windows; a studio of strip lights. Of 256 x 128 texels.
-std::vector<World> make_worlds(const Kernels& kernels);
+/// The session's own pictures, baked as the renderer does. If it has none: a sky with a sun above a dark ground; a dark
+/// room with windows; a studio of strip lights. Those are grey and of 256 x 128 texels.
+std::vector<World> make_worlds(const Session& session);
 
 /// Ways to prefilter, and formats of texels: plots of the family, in ibl_bake.cpp.
 Plot prefilter_plot(Session& session, const World& world);

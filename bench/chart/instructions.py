@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Counts what the compiler made of each term: instructions in the loop of run_vectors, kernels/entry/terms.hpp.
+"""Counts what the compiler made of each term and of each way to sample: the instructions in the loop of run_vectors,
+kernels/entry/terms.hpp, or of sample_vectors, kernels/entry/sampling.cpp.
 
 usage: instructions.py OBJDUMP OUTPUT.cpp OBJECT...    (objects each in a folder named after its instruction set)
 
-Writes a C++ table of {instruction set, term, instructions per vector, divisions and square roots among them}.
+Writes two C++ tables: {instruction set, term, instructions per vector, divisions and square roots among them} and
+{instruction set, format, layout, filter, cube, instructions per vector, gathers of 32 and of 64 bits among them}.
 """
 import re
 import subprocess
@@ -12,8 +14,11 @@ import sys
 FUNCTION = re.compile(r"^[0-9a-f]+ <(.*)>:$")
 INSTRUCTION = re.compile(r"^\s+([0-9a-f]+):\s+(\S+)\s*(.*)$")
 TERM = re.compile(r"::run_vectors<&.*?::\(anonymous namespace\)::(\w+)<[^(]*\(anonymous namespace\)::Float>\(")
+SAMPLER = re.compile(r"::sample_vectors<\(tessera::SamplingFormat\)(\d), \(tessera::SamplingLayout\)(\d), "
+                     r"\(tessera::SamplingFilter\)(\d), (true|false)>\(")
 VECTOR = re.compile(r"%[xyz]mm|\bv\d+\.4s|\bq\d+")
 JUMP = re.compile(r"^(j\w+|b(\.\w+)?|cbn?z|tbn?z)$")
+GATHERS = re.compile(r"^v(gatherdps|pgatherdd)$"), re.compile(r"^v(gatherdpd|pgatherdq)$")
 SLOW = re.compile(r"^v?(div|sqrt)ps$|^fdiv$|^fsqrt$")
 
 
@@ -46,23 +51,34 @@ def loop_of(body):
     return best
 
 
+def count(loop, pattern):
+    return sum(bool(pattern.match(mnemonic)) for _, mnemonic, _ in loop)
+
+
+def table(function, entry, rows):
+    return (f"const std::vector<{entry}>& {function}() {{\n  static const std::vector<{entry}> all = {{\n" +
+            "".join(f"    {{{row}}},\n" for row in sorted(rows)) + "  };\n  return all;\n}\n\n")
+
+
 def main():
     objdump, output, objects = sys.argv[1], sys.argv[2], sys.argv[3:]
-    rows = []
+    terms, samplers = [], []
     for path in objects:
         isa = re.search(r"tessera_kernels_(\w+)\.dir", path).group(1)
-        if "/terms_" not in path:
-            continue
         for name, body in functions(objdump, path):
-            term = TERM.search(name)
-            loop = loop_of(body) if term else []
-            if loop:
-                slow = sum(bool(SLOW.match(mnemonic)) for _, mnemonic, _ in loop)
-                rows.append(f'    {{"{isa}", "{term.group(1)}", {len(loop)}, {slow}}},')
+            if term := TERM.search(name):
+                if loop := loop_of(body):
+                    terms.append(f'"{isa}", "{term.group(1)}", {len(loop)}, {count(loop, SLOW)}')
+            elif sampler := SAMPLER.search(name):
+                if loop := loop_of(body):
+                    kinds = [f"{kind}({value})" for kind, value in
+                             zip(("SamplingFormat", "SamplingLayout", "SamplingFilter"), sampler.groups())]
+                    gathers = [str(count(loop, width)) for width in GATHERS]
+                    samplers.append(", ".join([f'"{isa}"', *kinds, sampler.group(4), str(len(loop)), *gathers]))
     with open(output, "w", encoding="utf-8") as file:
-        file.write('#include "bench/chart/instructions.hpp"\n\nnamespace tessera::chart {\n\n'
-                   "const std::vector<LoopCount>& loop_counts() {\n  static const std::vector<LoopCount> all = {\n" +
-                   "\n".join(sorted(rows)) + "\n  };\n  return all;\n}\n\n}  // namespace tessera::chart\n")
+        file.write('#include "bench/chart/instructions.hpp"\n\nnamespace tessera::chart {\n\n' +
+                   table("loop_counts", "LoopCount", terms) + table("sampler_counts", "SamplerCount", samplers) +
+                   "}  // namespace tessera::chart\n")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 // tessera-chart: measures families of methods and writes a chart of them. `tessera chart` runs it (src/cli/chart.cpp).
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <new>
 #include <optional>
 
@@ -13,11 +15,13 @@
 #include "bench/chart/machine.hpp"
 #include "bench/chart/output.hpp"
 #include "bench/chart/session.hpp"
+#include "catalogue/lookups.hpp"
 #include "catalogue/method.hpp"
 #include "chart/markup.hpp"
 #include "cli/help.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
+#include "frame/environment_file.hpp"
 
 namespace tessera::chart {
 namespace {
@@ -25,6 +29,7 @@ namespace {
 constexpr const char* footer = R"(Examples:
   tessera chart                                  all families on this machine: open out/chart/index.html
   tessera chart fresnel distribution --quick     two of them, in a hurry
+  tessera chart ibl --env courtyard.exr          image-based lighting in an environment of yours
   tessera chart --isa avx2                       one instruction set instead of all that this CPU runs
   tessera chart --compare other/results.json     beside the run of another machine, compiler or commit
   tessera chart --from out/chart/results.json    the pages again, without measuring
@@ -35,17 +40,22 @@ Close other programs first: costs are times.
 Exit status: 0 fine, 2 wrong usage, 3 an input cannot be read or is invalid, 4 an output cannot be written.)";
 
 struct Options {
-  std::vector<std::string> families;
+  std::vector<std::string> families, pictures;
   bool quick = false, list = false;
   std::string isa, compare, from, folder = "out/chart";
 };
 
 void list_families() {
   std::string text;
+  const auto add = [&](const std::string& title, const std::string& paper) {
+    text += paper.empty() ? fmt::format("  {}\n", title) : fmt::format("  {:<42}  {}\n", title, shortened(paper, 72));
+  };
   for (const FamilyEntry& family : families()) {
     text += family.name + "\n";
     for (const catalogue::Method& method : catalogue::methods())
-      if (method.family == family.name) text += fmt::format("  {:<44}{}\n", method.title, shortened(method.paper, 72));
+      if (method.family == family.name) add(method.title, method.paper);
+    for (const catalogue::Lookup& lookup : catalogue::lookups())
+      if (lookup.family == family.name) add(lookup.title, lookup.paper);
   }
   cli::print(text.empty() ? "no family is part of this build\n" : text);
 }
@@ -65,6 +75,20 @@ std::vector<FamilyEntry> chosen_families(const Options& options) {
   return chosen;
 }
 
+// Grey spread to RGB, what is negative or not finite as 0: as the renderer takes it.
+Surroundings read_surroundings(const std::string& path, std::size_t number, const Kernels& kernels) {
+  const Image image = read_environment_picture({path}, "equirect", kernels).image;
+  Surroundings around{fmt::format("env{}", number + 1), std::filesystem::path(path).filename().string(),
+                      Image(image.width, image.height, 3)};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float value = image.at(x, y)[image.channels < 3 ? 0 : c];
+        around.picture.at(x, y)[c] = std::isfinite(value) && value > 0 ? value : 0.0f;
+      }
+  return around;
+}
+
 Results measure(const Options& options) {
   Progress progress(Progress::Show::on_terminal);
   TimedSession session(progress);
@@ -77,6 +101,11 @@ Results measure(const Options& options) {
   }
   const std::vector<FamilyEntry> chosen = chosen_families(options);
   if (chosen.empty()) throw usage_error("no family is part of this build");
+  if (!options.pictures.empty() &&
+      std::none_of(chosen.begin(), chosen.end(), [](const FamilyEntry& family) { return family.name == "ibl"; }))
+    throw usage_error("--env: of the families only ibl is measured in environments");
+  for (const std::string& path : options.pictures)
+    session.pictures.push_back(read_surroundings(path, session.pictures.size(), *session.kernels.back()));
   prepare_folder(options.folder);  // minutes before it is written
   Results results;
   results.machine = describe_machine();
@@ -128,12 +157,17 @@ int start(int argc, char** argv) {
                   "Only this instruction set ('tessera isa' lists them; default: all that run here)")
       ->type_name("NAME");
   program
+      .add_option("--env", options.pictures,
+                  "Measure ibl in this latitude-longitude picture instead of made ones; once for each")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  program
       .add_option("--compare", options.compare,
                   "results.json of another run: its points as hollow markers, cost ratios")
       ->type_name("FILE");
   CLI::Option* from = program.add_option("--from", options.from, "Measure nothing: draw what this results.json holds")
                           ->type_name("FILE");
-  for (const char* name : {"family", "--quick", "--isa"}) from->excludes(program.get_option(name));
+  for (const char* name : {"family", "--quick", "--isa", "--env"}) from->excludes(program.get_option(name));
   program.add_option("-o,--output", options.folder, "Folder for the page and its files")
       ->type_name("FOLDER")
       ->capture_default_str();

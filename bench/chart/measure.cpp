@@ -69,6 +69,22 @@ Point describe(const std::string& term) {
   return point;
 }
 
+Point describe(const catalogue::Lookup& lookup, const std::string& suffix) {
+  Point point;
+  point.id = lookup.id + "-" + suffix;
+  point.title = lookup.title;
+  point.formula = lookup.formula;
+  point.paper = lookup.paper;
+  point.file = lookup.file;
+  point.fails = lookup.fails;
+  return point;
+}
+
+bool runs_on(const Session& session, const std::string& isa) {
+  return std::any_of(session.kernels.begin(), session.kernels.end(),
+                     [&](const Kernels* kernels) { return isa == kernels->isa; });
+}
+
 void add_cost(Session& session, Point& point, const std::string& term, std::vector<std::vector<float>> inputs,
               const float* table, int table_size) {
   constexpr std::size_t enough = 512;  // fewer, and the call would be timed, not the loop
@@ -76,7 +92,8 @@ void add_cost(Session& session, Point& point, const std::string& term, std::vect
     for (std::size_t i = 0; plane.size() < enough; ++i) plane.push_back(plane[i]);
   point.cost = time_term(session, term, inputs, table, table_size);
   for (const LoopCount& loop : loop_counts())
-    if (loop.function == term) point.extra["instructions " + loop.isa] = loop.instructions;
+    if (loop.function == term && runs_on(session, loop.isa))
+      point.extra["instructions " + loop.isa] = loop.instructions;
 }
 
 std::vector<double> spread(double low, double high, int count) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/chart/chart.hpp"
+#include "catalogue/lookups.hpp"
 #include "catalogue/method.hpp"
 
 namespace tessera::chart {
@@ -25,6 +26,11 @@ Error relative_error(const std::vector<double>& found, const std::vector<double>
 
 /// A point with the catalogue's texts, nothing measured yet. id: the term's name in lower case, with hyphens.
 Point describe(const std::string& term);
+/// The same of a lookup; id: its own, and `suffix` after a hyphen.
+Point describe(const catalogue::Lookup& lookup, const std::string& suffix);
+
+/// Whether the session measures this instruction set.
+bool runs_on(const Session& session, const std::string& isa);
 
 /// Times a term over all the inputs given, and adds how many instructions its loop has.
 void add_cost(Session&, Point&, const std::string& term, std::vector<std::vector<float>> inputs,

@@ -35,6 +35,9 @@
     row("Against", point.ratio[isa] && `${point.ratio[isa]} × the other run`);
     row("Method error", point.method);
     row("Arithmetic", point.arithmetic);
+    const others = Object.keys(point.cost).filter((name) => name !== isa);
+    for (const [name, value] of Object.entries(point.extra))
+      if (!others.some((other) => name.endsWith(` ${other}`))) row(name, value);
     row("Formula", point.formula);
     row("Source", point.paper);
     row("Code", point.file);

@@ -37,7 +37,9 @@ std::string page_data(const Results& results, const Results* other) {
                             {"fails", point.fails},          {"note", point.note},
                             {"method", words(point.method)}, {"arithmetic", words(point.arithmetic)},
                             {"cost", Json::object()},        {"frontier", Json::array()},
-                            {"ratio", Json::object()}};
+                            {"ratio", Json::object()},       {"extra", Json::object()}};
+      for (const Point& point : plot.points)
+        for (const auto& [name, value] : point.extra) points[point.id]["extra"][name] = amount(value);
       for (const std::string& isa : results.machine.isas) {
         const std::vector<bool> frontier = on_frontier(plot, isa);
         for (std::size_t i = 0; i < plot.points.size(); ++i) {

@@ -28,6 +28,21 @@ inline Vec3<F> face_direction(int face, F s, F t) {
   }
 }
 
+/// Four texels of packed RGB, at columns i0 and i1 of the rows that begin with texels row0 and row1, blended.
+template <class F>
+inline Vec3<F> blend_texels(const float* rgb, IntOf<F> row0, IntOf<F> row1, IntOf<F> i0, IntOf<F> i1, F fx, F fy) {
+  using I = IntOf<F>;
+  const I a = (row0 + i0) * I(3), b = (row0 + i1) * I(3), c = (row1 + i0) * I(3), e = (row1 + i1) * I(3);
+  const auto channel = [&](int k) {
+    const float* texels = rgb + k;
+    const F above = lerp(gather(texels, a), gather(texels, b), fx);
+    const F below = lerp(gather(texels, c), gather(texels, e), fx);
+    return lerp(above, below, fy);
+  };
+  const F red = channel(0), green = channel(1), blue = channel(2);
+  return {red, green, blue};
+}
+
 /// Bilinear lookup along d (finite, not zero, need not be unit). Wraps around in u, clamps at the poles.
 template <class F>
 inline Vec3<F> sample_equirect(const EquirectView& source, const Vec3<F>& d) {
@@ -47,16 +62,7 @@ inline Vec3<F> sample_equirect(const EquirectView& source, const Vec3<F>& d) {
   const F fy = y - to_float(j0);
   const I j1 = min(j0 + I(1), I(source.height - 1));
 
-  const I row0 = j0 * I(source.width), row1 = j1 * I(source.width);
-  const I a = (row0 + i0) * I(3), b = (row0 + i1) * I(3), c = (row1 + i0) * I(3), e = (row1 + i1) * I(3);
-  const auto channel = [&](int k) {
-    const float* texels = source.texels + k;
-    const F above = lerp(gather(texels, a), gather(texels, b), fx);
-    const F below = lerp(gather(texels, c), gather(texels, e), fx);
-    return lerp(above, below, fy);
-  };
-  const F red = channel(0), green = channel(1), blue = channel(2);
-  return {red, green, blue};
+  return blend_texels(source.texels, j0 * I(source.width), j1 * I(source.width), i0, i1, fx, fy);
 }
 
 /// Bilinear lookup along d (finite, not zero, need not be unit) in the face that it meets, clamped at the face's edge.
@@ -71,16 +77,7 @@ inline Vec3<F> sample_faces(const CubeFacesView& source, const Vec3<F>& d) {
   const I i1 = min(i0 + I(1), end), j1 = min(j0 + I(1), end);
   const F fx = x - to_float(i0), fy = y - to_float(j0);
   const I size = I(source.size);
-  const I row0 = (p.face * size + j0) * size, row1 = (p.face * size + j1) * size;
-  const I a = (row0 + i0) * I(3), b = (row0 + i1) * I(3), c = (row1 + i0) * I(3), e = (row1 + i1) * I(3);
-  const auto channel = [&](int k) {
-    const float* texels = source.texels + k;
-    const F above = lerp(gather(texels, a), gather(texels, b), fx);
-    const F below = lerp(gather(texels, c), gather(texels, e), fx);
-    return lerp(above, below, fy);
-  };
-  const F red = channel(0), green = channel(1), blue = channel(2);
-  return {red, green, blue};
+  return blend_texels(source.texels, (p.face * size + j0) * size, (p.face * size + j1) * size, i0, i1, fx, fy);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "cli/lighting.hpp"
 #include "cli/machine.hpp"
 #include "cli/parse.hpp"
-
+#include "cli/prefilter_check.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/environment_file.hpp"
@@ -30,18 +30,22 @@ size of the one before. Irradiance is nine harmonics (exact solid angles), or a 
 --cube writes mK_px ... of every level K and irradiance_px ..., in OpenGL's and Vulkan's orientation.
 --sh prints the harmonics of the radiance, L_lm by orthonormal real Y_lm over world x, y, z (+Y up).
 --extract-light takes the brightest compact source out: rendering puts a directional light in its place.
+--check compares levels of reflection with brute force in double precision, sums over all texels of the sharpest level; errors
+are parts of the level's RMS. seam: the RMS step across edges of the cube, of that beside them (1: edges do not show).
 
 Examples:
   tessera bake courtyard.exr -o courtyard.tsra
   tessera render scene.glb --env courtyard.tsra -o out.png
   tessera bake courtyard.hdr --rotation 90 --cube out --format rgbe
-  tessera bake sunset.exr --extract-light --sh)";
+  tessera bake sunset.exr --extract-light --sh
+  tessera bake sunset.exr --levels 9 --check 1000)";
 
 struct Options {
   std::vector<std::string> pictures;
   std::string output, cube, format = "exr", layout = "auto", irradiance = "auto";
   double rotation = 0, intensity = 1, firefly = 0, window = 0;
   int size = 0, background = 0, levels = 0, samples = 0;
+  int check = -1;  // texels per level; 0: all; -1: no check
   bool harmonics = false, extract = false;
   MachineOptions machine;
 };
@@ -97,24 +101,20 @@ EnvironmentData bake(const Options& options, const EnvironmentSettings& settings
   return build_environment(picture, settings, kernels).data();
 }
 
-void write_faces(const Options& options, const std::string& name, const Cube& cube, int level, const Kernels& kernels) {
+void write_faces(const Options& options, const std::string& name, const CubeLevel& level) {
   constexpr const char* faces[6] = {"px", "nx", "py", "ny", "pz", "nz"};
-  const std::size_t n = std::size_t(cube.size() >> level), row = n + 2;
-  for (std::size_t face = 0; face < 6; ++face) {
-    std::vector<float> rgba(n * n * 4), rgb;
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t first = cube_level_offset(cube.size(), level) + (face * row + j + 1) * row + 1;
-      kernels.unpack_half(cube.texels().data() + first * 4, &rgba[j * n * 4], n * 4);
-    }
-    for (std::size_t i = 0; i < n * n; ++i) rgb.insert(rgb.end(), &rgba[i * 4], &rgba[i * 4] + 3);
+  const int n = level.size;
+  for (int face = 0; face < 6; ++face) {
+    std::vector<float> rgb;
+    for (const float* texel = level.face(face); texel != level.face(face) + level.face_floats(); texel += 4)
+      rgb.insert(rgb.end(), texel, texel + 3);
     const std::string path = (std::filesystem::path(options.cube) /
                               fmt::format("{}_{}.{}", name, faces[face], options.format == "exr" ? "exr" : "hdr"))
                                  .string();
     if (options.format == "exr")
-      write_exr(path, int(n), int(n),
-                {{"R", &rgb[0], nullptr, 3}, {"G", &rgb[1], nullptr, 3}, {"B", &rgb[2], nullptr, 3}});
+      write_exr(path, n, n, {{"R", &rgb[0], nullptr, 3}, {"G", &rgb[1], nullptr, 3}, {"B", &rgb[2], nullptr, 3}});
     else
-      write_hdr(path, int(n), int(n), rgb.data());
+      write_hdr(path, n, n, rgb.data());
   }
 }
 
@@ -123,8 +123,8 @@ void write_cube(const Options& options, const EnvironmentData& data, const Kerne
   std::filesystem::create_directories(options.cube, error);
   if (error) throw output_error("{}: cannot be made: {}", options.cube, error.message());
   for (int level = 0; level < data.specular.levels(); ++level)
-    write_faces(options, fmt::format("m{}", level), data.specular, level, kernels);
-  if (!data.irradiance.empty()) write_faces(options, "irradiance", data.irradiance, 0, kernels);
+    write_faces(options, fmt::format("m{}", level), data.specular.load(level, kernels));
+  if (!data.irradiance.empty()) write_faces(options, "irradiance", data.irradiance.load(0, kernels));
 }
 
 std::string harmonics_text(const IrradianceSh& sh) {
@@ -162,24 +162,35 @@ void tell(const Options& options, const EnvironmentData& data, double ms) {
 void run_bake(const Options& options) {
   validate(options.machine);
   const Kernels& kernels = select_kernels(options.machine.isa);
-  if (options.output.empty() && options.cube.empty() && !options.harmonics)
-    throw usage_error("nothing to write: add -o FILE.tsra, --cube FOLDER or --sh");
-  if (options.output == "-" && options.harmonics) throw usage_error("-o and --sh cannot both be standard output");
+  const bool check = options.check >= 0;
+  if (options.output.empty() && options.cube.empty() && !options.harmonics && !check)
+    throw usage_error("nothing to do: add -o FILE.tsra, --cube FOLDER, --sh or --check N");
+  if (options.output == "-" && (options.harmonics || check))
+    throw usage_error("-o and {} cannot both be standard output", options.harmonics ? "--sh" : "--check");
   if (options.format != "exr" && options.format != "rgbe")
     throw usage_error("--format '{}': expected exr or rgbe", options.format);
   const EnvironmentSettings settings = settings_of(options);
   const Stopwatch watch;
   Progress progress(options.machine.quiet ? Progress::Show::never : Progress::Show::on_terminal);
   EnvironmentData data;
+  std::string checked;
+  double ms = 0;
   run_with_threads(options.machine.threads, [&] {
     data = bake(options, settings, kernels, progress);
     progress.begin("writing");
     if (!options.output.empty()) write_environment(options.output, data);
     if (!options.cube.empty()) write_cube(options, data, kernels);
+    ms = watch.ms();
+    if (!check) return;
+    progress.begin("comparing with brute force");
+    checked =
+        table_of(check_prefilter(data.specular, data.lod_curve, std::size_t(options.check), kernels)) +
+        fmt::format("the brightest texel is {:.3g} times the median\n", brightest_over_median(data.specular, kernels));
   });
   progress.finish();
   if (options.harmonics) print(harmonics_text(data.sh));
-  if (!options.machine.quiet) tell(options, data, watch.ms());
+  if (!checked.empty()) print(checked);
+  if (!options.machine.quiet) tell(options, data, ms);
 }
 
 }  // namespace
@@ -233,6 +244,10 @@ void add_bake(CLI::App& program) {
   command->add_option("--sh-window", options->window, "Damp ringing: lambda of Sloan's window, such as 0.01")
       ->type_name("LAMBDA")
       ->capture_default_str()
+      ->group(group);
+  command->add_option("--check", options->check, "Print how far N texels of each level are from brute force (0: all)")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
       ->group(group);
   add_running_options(*command, options->machine);
   command->footer(footer);

@@ -13,7 +13,7 @@
 #include "cli/neutral_environment.hpp"
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
-
+#include "cli/prefilter_check.hpp"
 #include "cli/text.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/environment_file.hpp"
@@ -62,21 +62,6 @@ reference::SpherePicture sphere_picture(const EnvironmentPicture& picture, doubl
   return out;
 }
 
-// A baked environment's sharpest faces.
-reference::SpherePicture sphere_picture(const Cube& cube, const Kernels& kernels) {
-  const std::size_t n = std::size_t(cube.size()), row = n + 2;
-  std::vector<float> texels(cube_level_offset(cube.size(), 1) * 4);
-  kernels.unpack_half(cube.texels().data(), texels.data(), texels.size());
-  reference::SpherePicture out{cube.size(), 6 * cube.size(), {}, true};
-  out.rgb.reserve(n * n * 18);
-  for (std::size_t j = 0; j < 6 * n; ++j)
-    for (std::size_t i = 0; i < n; ++i) {
-      const float* texel = &texels[((j / n * row + j % n + 1) * row + i + 1) * 4];
-      out.rgb.insert(out.rgb.end(), texel, texel + 3);
-    }
-  return out;
-}
-
 struct Light360 {
   reference::EnvironmentMap map;
   ChosenEnvironment shown;  // for the background, and a light that was taken out
@@ -88,7 +73,7 @@ Light360 load_environment(const LightingOptions& lighting, const Kernels& kernel
   if (shown.neutral)
     return {{sphere_picture({neutral_environment(), false}, lighting.intensity), rotation}, std::move(shown)};
   if (is_baked_environment(lighting.environment))
-    return {{sphere_picture(shown.environment->data().background, kernels), 0}, std::move(shown)};
+    return {{as_sphere(shown.environment->data().background.load(0, kernels)), 0}, std::move(shown)};
   const EnvironmentPicture picture = read_environment_picture({lighting.environment}, lighting.layout, kernels);
   return {{sphere_picture(picture, lighting.intensity), rotation}, std::move(shown)};
 }

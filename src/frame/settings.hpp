@@ -38,7 +38,7 @@ struct RenderSettings {
   float background_color[3] = {0, 0, 0};  // linear
   float background_blur = 0;              // 0 sharp .. 1 the most blurred mip
   // How an environment is looked up. Against `tessera reference` on spheres of metal and plastic, at grazing angles and
-  // roughness 0.2 to 0.6, this errs by 0.27 (courtyard), 0.47 (interior) and 0.32 (sunset) of what one lookup along the
+  // roughness 0.2 to 0.6, this errs by 0.26 (courtyard), 0.47 (interior) and 0.22 (sunset) of what one lookup along the
   // mirror direction and kS do.
   EnvironmentShading environment_shading = {EnvironmentLobe::taps4, EnvironmentFresnel::f0, false};
   CubeFormat environment_texels = CubeFormat::rgba16_float;           // of reflections

@@ -135,10 +135,10 @@ Cube::Cube(int size, int levels, AlignedVector<std::uint16_t> texels)
   assert(texels_.size() == cube_level_offset(size, levels) * 4);
 }
 
-std::uint16_t* Cube::texel(int level, int face, int i, int j) {
+std::size_t Cube::offset(int level, int face, int i, int j) const {
   const std::size_t row = std::size_t(size_ >> level) + 2;
   const std::size_t index = (std::size_t(face) * row + std::size_t(j + 1)) * row + std::size_t(i + 1);
-  return texels_.data() + (cube_level_offset(size_, level) + index) * 4;
+  return (cube_level_offset(size_, level) + index) * 4;
 }
 
 std::size_t Cube::store(int level, const CubeLevel& from, const Kernels& kernels) {
@@ -161,6 +161,15 @@ std::size_t Cube::store(int level, const CubeLevel& from, const Kernels& kernels
   });
   for (int face = 0; face < 6; ++face) fill_border(level, face, kernels);
   return std::accumulate(clamped.begin(), clamped.end(), std::size_t{0});
+}
+
+CubeLevel Cube::load(int level, const Kernels& kernels) const {
+  CubeLevel to(size_ >> level);
+  const std::size_t row_floats = std::size_t(to.size) * 4;
+  for (int row = 0; row < 6 * to.size; ++row)
+    kernels.unpack_half(texels_.data() + offset(level, row / to.size, 0, row % to.size),
+                        to.texels.data() + std::size_t(row) * row_floats, row_floats);
+  return to;
 }
 
 void Cube::fill_border(int level, int face, const Kernels& kernels) {

@@ -63,9 +63,12 @@ class Cube {
   /// Rounds a level to halves, values above the largest half clamped to it, and fills its border. Returns how many
   /// texels were clamped.
   std::size_t store(int level, const CubeLevel& from, const Kernels& kernels);
+  /// The reverse, without its border.
+  [[nodiscard]] CubeLevel load(int level, const Kernels& kernels) const;
 
  private:
-  std::uint16_t* texel(int level, int face, int i, int j);  // i, j from -1 to size
+  [[nodiscard]] std::size_t offset(int level, int face, int i, int j) const;  // i, j from -1 to size
+  std::uint16_t* texel(int level, int face, int i, int j) { return texels_.data() + offset(level, face, i, j); }
   void fill_border(int level, int face, const Kernels& kernels);
 
   AlignedVector<std::uint16_t> texels_;

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "precompute/angles.hpp"
 #include "precompute/prefilter.hpp"
 #include "precompute/texel_geometry.hpp"
 
@@ -78,9 +79,7 @@ EnvironmentStatistics statistics_of(const EnvironmentPicture& picture, const Ker
 
 CubeLevel resample(const EnvironmentPicture& picture, int size, float rotation, const Kernels& kernels) {
   CubeLevel level(size);
-  float cosine = 1, sine = 0;
-  kernels.evaluate(MathFunction::cos, &rotation, &rotation, &cosine, 1);
-  kernels.evaluate(MathFunction::sin, &rotation, &rotation, &sine, 1);
+  const auto [cosine, sine] = turn_by(rotation, kernels);
   const Image& image = picture.image;
   const int across = picture.faces ? 2 * picture.face_size() : image.width / 2;
   // At least four points per texel each way, and two per texel of the picture, so that no texel falls between points;
@@ -117,12 +116,10 @@ bool wants_cube(const EnvironmentSettings& settings, const IrradianceSh& sh) {
 
 // Turns a light with the environment.
 void rotate(DominantLight& light, float rotation, const Kernels& kernels) {
-  float c = 1, s = 0;
-  kernels.evaluate(MathFunction::cos, &rotation, &rotation, &c, 1);
-  kernels.evaluate(MathFunction::sin, &rotation, &rotation, &s, 1);
+  const auto [cosine, sine] = turn_by(rotation, kernels);
   const float x = light.direction[0], z = light.direction[2];
-  light.direction[0] = x * c + z * s;
-  light.direction[2] = z * c - x * s;
+  light.direction[0] = x * cosine + z * sine;
+  light.direction[2] = z * cosine - x * sine;
 }
 
 }  // namespace

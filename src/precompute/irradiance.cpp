@@ -7,18 +7,13 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "precompute/angles.hpp"
 #include "precompute/cube.hpp"
 
 namespace tessera {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::vector<double> evaluate(MathFunction f, const std::vector<float>& x, const Kernels& kernels) {
-  std::vector<float> out(x.size());
-  kernels.evaluate(f, x.data(), x.data(), out.data(), x.size());
-  return {out.begin(), out.end()};
-}
 
 // Integrals over the width of each column: of 1 (the same for all), cos phi, sin phi, cos 2 phi, sin 2 phi.
 struct Columns {
@@ -84,10 +79,15 @@ std::vector<Row> integrate_rows(int count, const Kernels& kernels) {
   return rows;
 }
 
+// What the coefficients are factors of.
+std::array<double, 9> harmonic_basis(double x, double y, double z) {
+  return {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
+}
+
 using Coefficients = std::array<std::array<double, 3>, 9>;
 
-// What a row adds to the integrals of radiance times 1, y, z, x, xy, yz, 3zz - 1, xz, xx - yy, where
-// x = sin(theta) cos(phi), y = cos(theta), z = sin(theta) sin(phi).
+// What a row adds to the integrals of radiance times harmonic_basis, where x = sin(theta) cos(phi), y = cos(theta), z =
+// sin(theta) sin(phi).
 Coefficients project_row(const float* texels, const Columns& columns, const Row& row) {
   double sums[5][3] = {};
   for (std::size_t i = 0; i < columns.cos1.size(); ++i) {
@@ -137,7 +137,8 @@ IrradianceSh sum_of(const std::vector<Coefficients>& parts) {
 
 // What a texel of a face adds, its radiance constant over it: Gauss-Legendre with two points a side, in parts of at
 // most 1/64 of the face. The integrals then err by less than 1e-9 of themselves.
-void add_face_texel(const float* rgb, int face, int x, int y, int size, const double turn[2], Coefficients& sum) {
+void add_face_texel(const float* rgb, int face, int x, int y, int size, const Turn& turn, Coefficients& sum) {
+  const double cosine = double(turn.cosine), sine = double(turn.sine);
   constexpr double node = 0.577350269189625764509;
   const int parts = std::max(64 / size, 1);
   const double half = 1.0 / (double(size) * parts);
@@ -151,9 +152,8 @@ void add_face_texel(const float* rgb, int face, int x, int y, int size, const do
       const double s = coordinate(x, i), t = coordinate(y, j);
       const double length2 = 1 + s * s + t * t, length = std::sqrt(length2), area = half * half / (length2 * length);
       const auto [px, py, pz] = face_direction(face, s, t);
-      const double dx = (px * turn[0] + pz * turn[1]) / length, dy = py / length;
-      const double dz = (pz * turn[0] - px * turn[1]) / length;
-      const double values[9] = {1, dy, dz, dx, dx * dy, dy * dz, 3 * dz * dz - 1, dx * dz, dx * dx - dy * dy};
+      const std::array<double, 9> values =
+          harmonic_basis((px * cosine + pz * sine) / length, py / length, (pz * cosine - px * sine) / length);
       for (std::size_t k = 0; k < 9; ++k) basis[k] += values[k] * area;
     }
   }
@@ -174,8 +174,7 @@ IrradianceSh project_irradiance(const EquirectView& source, float rotation, cons
 }
 
 IrradianceSh project_irradiance(const CubeFacesView& source, float rotation, const Kernels& kernels) {
-  const double turn[2] = {evaluate(MathFunction::cos, {rotation}, kernels)[0],
-                          evaluate(MathFunction::sin, {rotation}, kernels)[0]};
+  const Turn turn = turn_by(rotation, kernels);
   const int n = source.size;
   std::vector<Coefficients> parts(std::size_t(n) * 6);
   parallel_for(parts.size(), [&](std::size_t row) {
@@ -183,6 +182,13 @@ IrradianceSh project_irradiance(const CubeFacesView& source, float rotation, con
     for (int x = 0; x < n; ++x) add_face_texel(texels + 3 * x, int(row) / n, x, int(row) % n, n, turn, parts[row]);
   });
   return sum_of(parts);
+}
+
+double irradiance(const IrradianceSh& sh, std::size_t channel, double x, double y, double z) {
+  const std::array<double, 9> values = harmonic_basis(x, y, z);
+  double sum = 0;
+  for (std::size_t k = 0; k < 9; ++k) sum += values[k] * double(sh.coefficients[k][channel]);
+  return sum;
 }
 
 IrradianceSh windowed(const IrradianceSh& sh, float lambda) {
@@ -212,14 +218,9 @@ double least_irradiance(const IrradianceSh& sh) {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const CubeDirection d = texel_direction(face, i, j, n);
-        const double x = double(d.x), y = double(d.y), z = double(d.z);
-        const double values[9] = {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
         for (std::size_t c = 0; c < 3; ++c) {
           const double mean = double(sh.coefficients[0][c]);
-          if (!(mean > 0)) continue;
-          double sum = 0;
-          for (std::size_t k = 0; k < 9; ++k) sum += values[k] * double(sh.coefficients[k][c]);
-          least = std::min(least, sum / mean);
+          if (mean > 0) least = std::min(least, irradiance(sh, c, double(d.x), double(d.y), double(d.z)) / mean);
         }
       }
   return least;

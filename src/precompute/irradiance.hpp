@@ -1,5 +1,7 @@
 // Irradiance as nine spherical-harmonic coefficients.
 #pragma once
+#include <cstddef>
+
 #include "kernels/interface.hpp"
 
 namespace tessera {
@@ -24,6 +26,9 @@ IrradianceSh windowed(const IrradianceSh& sh, float lambda);
 /// The coefficients of the radiance itself, L_lm with real orthonormal Y_lm over the world's x, y, z, in the order (l,
 /// m) = (0, 0), (1, -1), (1, 0), (1, 1), (2, -2) ... (2, 2); Y_1-1 ~ y, Y_10 ~ z, Y_11 ~ x.
 IrradianceSh radiance_harmonics(const IrradianceSh& sh);
+
+/// E / pi of a channel for the unit normal (x, y, z); negative where the series rings below zero.
+double irradiance(const IrradianceSh& sh, std::size_t channel, double x, double y, double z);
 
 /// The least value over the sphere, as a part of the mean: negative where a bright sun makes the series ring. The
 /// smallest of the three channels'.

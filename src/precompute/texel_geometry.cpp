@@ -3,18 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "precompute/angles.hpp"
 #include "precompute/cube.hpp"
 
 namespace tessera {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::vector<double> evaluate(MathFunction f, const std::vector<float>& x, const Kernels& kernels) {
-  std::vector<float> out(x.size());
-  kernels.evaluate(f, x.data(), x.data(), out.data(), x.size());
-  return {out.begin(), out.end()};
-}
 
 }  // namespace
 

@@ -46,6 +46,13 @@ TOOLTIP = """(() => {
   return {visible: tip.checkVisibility(), text: tip.textContent, left: box.left, top: box.top, right: box.right,
           bottom: box.bottom, width: innerWidth, height: innerHeight};
 })()"""
+FURTHER = """(() => {
+  const plots = Object.values(JSON.parse(document.getElementById("data").textContent));
+  const point = plots.find((plot) => "POINT" in plot)["POINT"];
+  const isa = document.querySelector('input[name="isa"]:checked').value;
+  return {columns: Object.keys(point.extra),
+          others: Object.keys(point.cost).filter((name) => name !== isa).map((name) => " " + name)};
+})()"""
 
 failures = []
 
@@ -80,6 +87,10 @@ def check_tooltip(page, where):
     check(tip["visible"], f"{where}: the tooltip appears over a point")
     for word in ("ns", "Method error", "Arithmetic", "Formula", "Source", "Code"):
         check(word in tip["text"], f"{where}: the tooltip says '{word}': {tip['text']}")
+    further = page.evaluate(FURTHER.replace("POINT", point["id"]))
+    for word in further["columns"]:
+        check((word in tip["text"]) == (not word.endswith(tuple(further["others"]))),
+              f"{where}: the tooltip has the further columns of this instruction set, '{word}': {tip['text']}")
     check(tip["left"] >= 0 and tip["top"] >= 0 and tip["right"] <= tip["width"] and tip["bottom"] <= tip["height"],
           f"{where}: the tooltip is inside the window: {tip}")
     lit = page.evaluate(f"document.querySelectorAll('tr.active[data-point=\"{point['id']}\"]').length")

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 #include "src/cli/program.hpp"
 #include "synthetic.hpp"
@@ -33,6 +35,22 @@ TEST(ChartProgram, ListsFamilies) {
   const Result list = run({"chart", "--list"});
   EXPECT_EQ(list.status, 0);
   EXPECT_NE(list.out.find("fresnel\n"), std::string::npos) << list.out;
+  // Each family, at the left margin, is followed by its methods, which are indented.
+  std::istringstream lines(list.out);
+  std::string line, family;
+  std::map<std::string, int> methods;
+  while (std::getline(lines, line)) {
+    if (line.rfind("  ", 0) != 0) {
+      family = line;
+      methods[family] = 0;
+    } else {
+      ++methods[family];
+    }
+  }
+  EXPECT_GE(methods.size(), 9u);
+  for (const auto& [name, count] : methods) EXPECT_GE(count, 5) << name;
+  for (const char* method : {"\n  RGB9E5 ", "\n  trilinear ", "\n  8 x 8 tiles\n", "\n  off-specular peak "})
+    EXPECT_NE(list.out.find(method), std::string::npos) << method << list.out;
 }
 
 TEST(ChartProgram, RefusesWhatItDoesNotKnow) {
@@ -40,6 +58,8 @@ TEST(ChartProgram, RefusesWhatItDoesNotKnow) {
   expect_one_error_line(run({"chart", "--isa", "mmx"}), 2, "mmx");
   expect_one_error_line(run({"chart", "--no-such-option"}), 2, "no-such-option");
   expect_one_error_line(run({"chart", "--from", "x.json", "--quick"}), 2, "--quick");
+  expect_one_error_line(run({"chart", "fresnel", "--env", "a.exr"}), 2, "only ibl");
+  expect_one_error_line(run({"chart", "ibl", "--env", "nothing.exr", "-o", Folder().path("chart")}), 3, "nothing.exr");
 }
 
 TEST(ChartProgram, DrawsFromAFileAndComparesWithAnother) {

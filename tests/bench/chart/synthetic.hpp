@@ -61,6 +61,7 @@ inline Plot synthetic_plot(const std::string& id, int methods, bool maps) {
     point.method = {error, error / 6, error / 3};
     point.arithmetic = {6e-8 * (1 + 9 * share), 2e-8, 3e-8};
     if (i % 2 == 0) point.extra["reciprocity error"] = error * 2;
+    for (const char* isa : isas) point.extra[std::string("instructions ") + isa] = 10 + i;
     if (maps && i < 6) point.maps.push_back(synthetic_map(error, i % 2 == 1));
     plot.points.push_back(point);
   }

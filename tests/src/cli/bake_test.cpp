@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "io/image_file.hpp"
 #include "program.hpp"
@@ -98,6 +99,41 @@ TEST_F(Bake, HarmonicsArePrinted) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("7.0898"), std::string::npos) << result.out;  // 2 sqrt(4 pi)
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 10);
+}
+
+// The column of RMS errors, one for each level.
+std::vector<double> checked_errors(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::vector<double> errors;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && line.rfind("the brightest", 0) != 0) {
+    std::istringstream words(line);
+    double level = 0, size = 0, roughness = 0, texels = 0, rms = -1, largest = -1, seam = -1;
+    words >> level >> size >> roughness >> texels >> rms >> largest >> seam;
+    EXPECT_EQ(size, 64 / std::pow(2, level)) << text;
+    EXPECT_GE(largest, rms) << text;
+    EXPECT_TRUE(seam > 0 && seam < 1.1) << text;
+    errors.push_back(rms);
+  }
+  return errors;
+}
+
+TEST_F(Bake, ComparesItsLevelsWithBruteForce) {
+  write_sky(path("a.exr"), 5000);
+  const Words words = {"bake", path("a.exr"), "--size", "64", "--levels", "6", "--check", "400", "-q"};
+  const Result exact = run(words);
+  ASSERT_EQ(exact.status, 0) << exact.err;
+  const std::vector<double> errors = checked_errors(exact.out);
+  ASSERT_EQ(errors.size(), 5u) << exact.out;
+  for (const double error : errors) EXPECT_TRUE(error > 0 && error < 1e-3) << exact.out;
+  Words coarse = words;
+  coarse.insert(coarse.end(), {"--samples", "2"});
+  const Result sampled = run(coarse);
+  ASSERT_EQ(sampled.status, 0) << sampled.err;
+  for (const double error : checked_errors(sampled.out)) EXPECT_GT(error, 1e-3) << sampled.out;
+  fails({"bake", path("a.exr"), "--check", "-3"}, 2);
+  fails({"bake", path("a.exr"), "--check", "3", "-o", "-"}, 2);
 }
 
 TEST_F(Bake, SaysWhatItPutRightAndTookOut) {

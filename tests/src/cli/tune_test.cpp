@@ -132,7 +132,8 @@ TEST_F(Tune, LimitsHoldAndNothingCheaperWasWithinThem) {
 }
 
 TEST_F(Tune, WhatIsGivenIsNotVaried) {
-  for (const Json& point : tuned({"--samples", "2", "--env-lobe", "taps2"}).at("points")) {
+  const Json results = tuned({"--samples", "2", "--env-lobe", "taps2"});
+  for (const Json& point : results.at("points")) {
     EXPECT_EQ(point.at("samples"), 2);
     EXPECT_EQ(point.at("env-lobe"), "taps2");
   }

@@ -53,7 +53,7 @@ std::vector<reference::ShadeSurface> surfaces() {
 std::vector<float> shaded(const std::vector<reference::ShadeSurface>& list, const Environment& environment,
                           const EnvironmentShading& shading) {
   const Kernels& kernels = select_kernels();
-  const DfgTable dfg = build_dfg_table(kernels);
+  const DfgTable dfg = build_warped_dfg_table(kernels);
   const std::size_t stride = (list.size() + max_lanes - 1) / max_lanes * max_lanes;
   AlignedVector<float> values(stride * (gbuffer_planes + 3), 0.0f);
   const auto plane = [&](std::size_t k) { return values.data() + k * stride; };
