@@ -140,7 +140,7 @@ std::string draw_legend(const SeriesPlot& plot) {
 
 }  // namespace
 
-std::string draw(const SeriesPlot& plot, const chart::Surroundings& around) {
+std::string draw(const SeriesPlot& plot, const chart::Lettering& around) {
   std::vector<double> xs, ys;
   for (const PlottedSeries& series : plot.series)
     for (const PlottedPoint& p : series.points) {

@@ -25,6 +25,6 @@ struct SeriesPlot {
 };
 
 /// A whole SVG file. Values positive (x of linear axes: not negative).
-std::string draw(const SeriesPlot& plot, const chart::Surroundings& around);
+std::string draw(const SeriesPlot& plot, const chart::Lettering& around);
 
 }  // namespace tessera::scaling

@@ -9,8 +9,8 @@
 
 namespace tessera {
 
-/// Copies `bytes`, a multiple of 16, between places on multiples of 16 that do not overlap. What is written is visible to
-/// other threads that this one releases to afterwards, as after memcpy().
+/// Copies `bytes`, a multiple of 16, between places on multiples of 16 that do not overlap. What is written is visible
+/// to other threads that this one releases to afterwards, as after memcpy().
 inline void stream_copy(void* to, const void* from, std::size_t bytes) {
 #ifdef __SSE2__
   auto* out = static_cast<__m128i*>(to);

@@ -146,7 +146,7 @@ std::string draw_legend() {
 
 }  // namespace
 
-std::string draw(const FrontierPlot& plot, const Surroundings& around) {
+std::string draw(const FrontierPlot& plot, const Lettering& around) {
   const Frame f = frame_of(plot);
   std::vector<Place> steps;
   for (const FrontierPoint& p : plot.points)

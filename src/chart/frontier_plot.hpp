@@ -24,6 +24,6 @@ struct FrontierPlot {
 };
 
 /// A whole SVG file. Both axes are logarithmic. At least one point; costs above 0, errors finite and not negative.
-std::string draw(const FrontierPlot& plot, const Surroundings& around);
+std::string draw(const FrontierPlot& plot, const Lettering& around);
 
 }  // namespace tessera::chart

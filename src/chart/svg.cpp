@@ -52,7 +52,7 @@ std::vector<Segment> staircase(std::vector<Place> points, double top, double rig
   return segments;
 }
 
-std::string standalone(const std::string& content, double width, double height, const Surroundings& around) {
+std::string standalone(const std::string& content, double width, double height, const Lettering& around) {
   constexpr double head = 70, line_height = 17;
   const double whole = head + height + 12 + line_height * static_cast<double>(around.captions.size());
   std::string out =

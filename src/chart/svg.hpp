@@ -25,11 +25,11 @@ struct Place {
 std::vector<Segment> staircase(std::vector<Place> points, double top, double right);
 
 /// What stands around a plot in a file of its own.
-struct Surroundings {
+struct Lettering {
   std::string title, subtitle;
   std::vector<std::string> captions;  // lines below
 };
 /// A whole SVG file around content of that size.
-std::string standalone(const std::string& content, double width, double height, const Surroundings& around);
+std::string standalone(const std::string& content, double width, double height, const Lettering& around);
 
 }  // namespace tessera::chart

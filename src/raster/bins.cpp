@@ -1,6 +1,7 @@
 #include "raster/bins.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tessera {
 
@@ -13,7 +14,15 @@ void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> se
   TileSpan* span = scratch.spans.data();
   std::uint16_t* span_row = scratch.rows.data();
   const auto add = [&](int row, TileRange range, std::uint32_t reference) {
-    *span++ = {static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last), reference};
+    if (span != scratch.spans.data()) {
+      TileSpan& before = span[-1];
+      if (span_row[-1] == row && before.first == range.first && before.last == range.last &&
+          before.triangle_and_class + 4 * before.count == reference) {
+        ++before.count;
+        return;
+      }
+    }
+    *span++ = {static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last), reference, 1};
     *span_row++ = static_cast<std::uint16_t>(row);
     ++row_counts[row];
   };
@@ -71,13 +80,16 @@ void RowBins::gather(int row, int columns, std::span<const ChunkBins> chunks, st
   };
   for (const ChunkBins& chunk : chunks)
     for (const TileSpan& s : chunk.row(row))
-      for (std::uint32_t column = s.first; column <= s.last; ++column) ++begin_[slot(column, s) + 2];
+      for (std::uint32_t column = s.first; column <= s.last; ++column) begin_[slot(column, s) + 2] += s.count;
   for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
   entries_.resize(begin_.back());
   for (std::size_t c = 0; c < chunks.size(); ++c)
     for (const TileSpan& s : chunks[c].row(row))
-      for (std::uint32_t column = s.first; column <= s.last; ++column)
-        entries_[begin_[slot(column, s) + 1]++] = base[c] + s.triangle_and_class / 4;
+      for (std::uint32_t column = s.first; column <= s.last; ++column) {
+        std::size_t& end = begin_[slot(column, s) + 1];
+        std::iota(entries_.data() + end, entries_.data() + end + s.count, base[c] + s.triangle_and_class / 4);
+        end += s.count;
+      }
   begin_.pop_back();
 }
 

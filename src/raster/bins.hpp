@@ -18,10 +18,12 @@ struct TileLists {
 
 inline constexpr int alpha_classes = 3;
 
-/// A run of tiles in one row that a triangle may touch.
+/// A run of tiles in one row that a triangle may touch, and triangles after it that touch the same: neighbours in a
+/// mesh mostly lie in one tile.
 struct TileSpan {
   std::uint16_t first, last;         // columns, both included
   std::uint32_t triangle_and_class;  // index within the chunk, times 4, plus AlphaMode
+  std::uint32_t count;               // triangles, one after another, of one class
 };
 
 /// Memory that a thread keeps while it fills chunks.
