@@ -13,18 +13,24 @@ void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> se
   std::uint32_t* const row_counts = scratch.row_counts.data();
   TileSpan* span = scratch.spans.data();
   std::uint16_t* span_row = scratch.rows.data();
+  TileSpan run{};  // grows until a triangle does not continue it
+  int run_row = -1;
+  const auto finish_run = [&] {
+    if (run_row < 0) return;
+    *span++ = run;
+    *span_row++ = static_cast<std::uint16_t>(run_row);
+    ++row_counts[run_row];
+  };
   const auto add = [&](int row, TileRange range, std::uint32_t reference) {
-    if (span != scratch.spans.data()) {
-      TileSpan& before = span[-1];
-      if (span_row[-1] == row && before.first == range.first && before.last == range.last &&
-          before.triangle_and_class + 4 * before.count == reference) {
-        ++before.count;
-        return;
-      }
+    const auto first = static_cast<std::uint16_t>(range.first), last = static_cast<std::uint16_t>(range.last);
+    if (row == run_row && first == run.first && last == run.last &&
+        reference == run.triangle_and_class + 4 * run.count) {
+      ++run.count;
+      return;
     }
-    *span++ = {static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.last), reference, 1};
-    *span_row++ = static_cast<std::uint16_t>(row);
-    ++row_counts[row];
+    finish_run();
+    run = {first, last, reference, 1};
+    run_row = row;
   };
   for (std::size_t i = 0; i < setup.size(); ++i) {
     const TouchedBox& box = boxes[i];
@@ -38,8 +44,8 @@ void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> se
     }
     const TouchedTiles touched(screen, setup[i]);
     const auto used = static_cast<std::size_t>(span - scratch.spans.data());
-    // Room for this one's rows, and two for each that follows.
-    if (const std::size_t need = used + static_cast<std::size_t>(screen.rows) + 2 * setup.size();
+    // Room for the run, this one's rows, and two for each that follows.
+    if (const std::size_t need = used + 1 + static_cast<std::size_t>(screen.rows) + 2 * setup.size();
         need > scratch.spans.size()) {
       scratch.spans.resize(2 * need);
       scratch.rows.resize(2 * need);
@@ -49,6 +55,7 @@ void ChunkBins::fill(const TileScreen& screen, std::span<const SetupTriangle> se
     for (int row = touched.first_row(); row <= touched.last_row(); ++row)
       if (const TileRange range = touched.row(row); range.first <= range.last) add(row, range, reference);
   }
+  finish_run();
   // A counting sort by row, over the rows that are touched: next[r] is where row r is written next.
   const auto count = static_cast<std::size_t>(span - scratch.spans.data());
   int first_row = 0, last_row = screen.rows - 1;
