@@ -65,7 +65,7 @@ struct Family {
 };
 
 /// A person's environment: an equirectangular picture, RGB, finite, not negative.
-struct Surroundings {
+struct GivenEnvironment {
   std::string id, title;
   Image picture;
 };
@@ -74,9 +74,9 @@ struct Surroundings {
 class Session {
  public:
   virtual ~Session() = default;
-  std::vector<Surroundings> pictures;   // --env: environments to measure in, instead of a family's own
-  bool quick = false;                   // --quick: fewer samples, coarser maps; the same methods
-  std::vector<const Kernels*> kernels;  // the instruction sets to time, widest last; errors are those of any of them
+  std::vector<GivenEnvironment> pictures;  // --env: environments to measure in, instead of a family's own
+  bool quick = false;                      // --quick: fewer samples, coarser maps; the same methods
+  std::vector<const Kernels*> kernels;     // the instruction sets to time, widest last; errors are those of any of them
   /// Time per evaluation of body, which does `evaluations` of them. Through Google Benchmark, on one thread.
   virtual Cost time(std::uint64_t evaluations, const std::function<void()>& body) = 0;
   /// For a person who watches: "fresnel: exact conductor".

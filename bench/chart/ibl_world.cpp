@@ -59,10 +59,10 @@ double studio(const Vec3& d) {
 
 }  // namespace
 
-World::World(Surroundings surroundings, const EnvironmentSettings& settings, const Kernels& kernels)
-    : id(std::move(surroundings.id)),
-      title(std::move(surroundings.title)),
-      picture(std::move(surroundings.picture)),
+World::World(GivenEnvironment given, const EnvironmentSettings& settings, const Kernels& kernels)
+    : id(std::move(given.id)),
+      title(std::move(given.title)),
+      picture(std::move(given.picture)),
       environment(build_environment(picture, settings, kernels)),
       map(as_sphere(picture), 0),
       mean(environment.data().statistics.mean[1]) {
@@ -109,11 +109,11 @@ double World::reflected(const Vec3& n, const Vec3& v, double alpha) const {
 std::vector<World> make_worlds(const Session& session) {
   const Kernels& kernels = *session.kernels.back();
   std::vector<World> worlds;
-  for (const Surroundings& given : session.pictures) worlds.emplace_back(given, EnvironmentSettings{}, kernels);
+  for (const GivenEnvironment& given : session.pictures) worlds.emplace_back(given, EnvironmentSettings{}, kernels);
   if (!worlds.empty()) return worlds;
-  worlds.emplace_back(Surroundings{"sky", "a sky with a sun", paint(sky)}, bake_settings(), kernels);
-  worlds.emplace_back(Surroundings{"room", "a room with windows", paint(room)}, bake_settings(), kernels);
-  worlds.emplace_back(Surroundings{"studio", "strip lights in a studio", paint(studio)}, bake_settings(), kernels);
+  worlds.emplace_back(GivenEnvironment{"sky", "a sky with a sun", paint(sky)}, bake_settings(), kernels);
+  worlds.emplace_back(GivenEnvironment{"room", "a room with windows", paint(room)}, bake_settings(), kernels);
+  worlds.emplace_back(GivenEnvironment{"studio", "strip lights in a studio", paint(studio)}, bake_settings(), kernels);
   return worlds;
 }
 

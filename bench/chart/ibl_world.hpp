@@ -11,7 +11,7 @@ namespace tessera::chart {
 
 /// Radiance from all around: as the renderer bakes it, and as it is. Of its channels the second alone is measured.
 struct World {
-  World(Surroundings surroundings, const EnvironmentSettings& settings, const Kernels& kernels);
+  World(GivenEnvironment given, const EnvironmentSettings& settings, const Kernels& kernels);
 
   std::string id, title;
   Image picture;  // equirectangular, RGB

@@ -76,10 +76,10 @@ std::vector<FamilyEntry> chosen_families(const Options& options) {
 }
 
 // Grey spread to RGB, what is negative or not finite as 0: as the renderer takes it.
-Surroundings read_surroundings(const std::string& path, std::size_t number, const Kernels& kernels) {
+GivenEnvironment read_given(const std::string& path, std::size_t number, const Kernels& kernels) {
   const Image image = read_environment_picture({path}, "equirect", kernels).image;
-  Surroundings around{fmt::format("env{}", number + 1), std::filesystem::path(path).filename().string(),
-                      Image(image.width, image.height, 3)};
+  GivenEnvironment around{fmt::format("env{}", number + 1), std::filesystem::path(path).filename().string(),
+                          Image(image.width, image.height, 3)};
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < 3; ++c) {
@@ -105,7 +105,7 @@ Results measure(const Options& options) {
       std::none_of(chosen.begin(), chosen.end(), [](const FamilyEntry& family) { return family.name == "ibl"; }))
     throw usage_error("--env: of the families only ibl is measured in environments");
   for (const std::string& path : options.pictures)
-    session.pictures.push_back(read_surroundings(path, session.pictures.size(), *session.kernels.back()));
+    session.pictures.push_back(read_given(path, session.pictures.size(), *session.kernels.back()));
   prepare_folder(options.folder);  // minutes before it is written
   Results results;
   results.machine = describe_machine();

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/json_depth.hpp"
 #include "bench/chart/results.hpp"
 #include "io/file_bytes.hpp"
 
@@ -187,6 +188,8 @@ std::string plain(const Json::exception& error) {
 }  // namespace
 
 Results from_json(const std::string& text, const std::string& name) {
+  constexpr int deepest = 32;
+  if (nests_deeper(text, deepest)) throw input_error("{}: not JSON of a chart: nested more than {} deep", name, deepest);
   Json json;
   try {
     json = Json::parse(text);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/json_depth.hpp"
 #include "io/file_bytes.hpp"
 #include "io/output_file.hpp"
 
@@ -17,6 +18,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int version = 1;
 constexpr std::uint64_t longest_file = 65536;  // bytes; a file of all keys has some 200
+
+constexpr int deepest_nesting = 16;
 
 constexpr const char* version_key = "tessera-settings";
 constexpr const char* about_key = "about";
@@ -31,6 +34,9 @@ std::string one_line(const Json& value) {
 Json parse(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path, longest_file);
   const char* const text = reinterpret_cast<const char*>(bytes.data());
+  if (nests_deeper({text, bytes.size()}, deepest_nesting))
+    throw input_error("{}: invalid JSON: nested more than {} deep, expected a JSON object of settings", path,
+                      deepest_nesting);
   // Of a key that comes twice the parser would keep the last.
   std::set<std::string> keys;
   const auto once = [&](int depth, Json::parse_event_t event, Json& parsed) {

@@ -86,9 +86,12 @@ TEST(ChartProgram, RefusesHostileFilesInOneLine) {
   const std::string key = "\"avx2\": {";
   hostile.replace(hostile.find(key), key.size(), "\"\\n\\u001b[31m\": {\"x\": 1}, \"avx2\": {");
   cli_test::write_file(folder.path("hostile.json"), hostile);
+  cli_test::write_file(folder.path("deep.json"), R"({"format": "tessera-chart", "version": )" +
+                                                     std::string(300000, '[') + std::string(300000, ']') + "}");
   for (const char* option : {"--from", "--compare"}) {
     expect_one_error_line(run({"chart", option, folder.path("hostile.json")}), 3, "hostile.json");
     expect_one_error_line(run({"chart", option, folder.path("nothing.json")}), 3, "nothing.json");
+    expect_one_error_line(run({"chart", option, folder.path("deep.json")}), 3, "nested");
   }
 }
 
