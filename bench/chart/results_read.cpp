@@ -189,7 +189,8 @@ std::string plain(const Json::exception& error) {
 
 Results from_json(const std::string& text, const std::string& name) {
   constexpr int deepest = 32;
-  if (nests_deeper(text, deepest)) throw input_error("{}: not JSON of a chart: nested more than {} deep", name, deepest);
+  if (nests_deeper(text, deepest))
+    throw input_error("{}: not JSON of a chart: nested more than {} deep", name, deepest);
   Json json;
   try {
     json = Json::parse(text);
