@@ -27,6 +27,7 @@ LAYERS = {
 }
 # The same inside kernels/; all may include simd.hpp and interface.hpp.
 KERNEL_LAYERS = {
+    "interface": set(),  # the parts of interface.hpp
     "simd": set(),
     "math": set(),
     "bsdf": {"math"},

@@ -1,0 +1,158 @@
+// From the G-buffer to pixels: lights, environments, and what the film gets.
+// A part of kernels/interface.hpp, which has the conventions; include that.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/interface/raster.hpp"
+
+namespace tessera {
+
+enum class LightType : std::uint32_t { directional, point, spot };
+enum class Falloff : std::uint32_t {
+  inverse_square,     // KHR_lights_punctual: max(min(1 - (d/range)^4, 1), 0) / d^2
+  windowed_plus_one,  // Karis 2013, eq. 9: sat(1 - (d/range)^4)^2 / (d^2 + 1)
+};
+
+struct LightView {
+  LightType type;
+  Falloff falloff;
+  float position[3];
+  float direction[3];             // in which the light shines, unit
+  float color[3];                 // lux (directional) or candela, times linear colour
+  float inverse_range_squared;    // 0: unlimited
+  float spot_scale, spot_offset;  // cone: sat(cos * scale + offset)^2
+};
+
+enum class CubeFormat : std::uint32_t {
+  rgba16_float,  // four halves
+  rgb9_e5,       // one 32-bit word: nine bits a channel from the lowest on, five bits of a common exponent
+};
+
+// A cubemap with mips. Every face of every level has a border of one texel, so that a bilinear footprint never leaves
+// it: (n + 2) x (n + 2) texels, the border holding the neighbouring faces' texels (corners: the mean of the other three
+// taps).
+struct CubeView {
+  const std::uint16_t* texels;  // level 0 first; in a level faces; in a face rows
+  int size;                     // texels along a face of level 0, without the border; a power of two
+  int levels;
+  CubeFormat format = CubeFormat::rgba16_float;  // of EnvironmentView::specular alone; all others are halves
+};
+inline constexpr std::size_t cube_level_offset(int size, int level) {  // in texels, from level 0
+  std::size_t offset = 0;
+  for (int k = 0; k < level; ++k) offset += std::size_t{6} * ((size >> k) + 2) * ((size >> k) + 2);
+  return offset;
+}
+
+struct EnvironmentView {
+  CubeView specular;    // level (levels - 1) r (1 + lod_curve (1 - r)) holds GGX-prefiltered radiance for roughness r
+  CubeView background;  // plain radiance with mips; the visible background
+  float irradiance_sh[9]
+                     [3];  // E(n) / pi = c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3zz - 1) + c7 xz + c8 (xx - yy)
+  float lod_curve = 0;     // 0 .. 1; 0: r = k / (levels - 1)
+  CubeView irradiance = {};  // E(n) / pi, level 0; without texels irradiance_sh is used
+};
+
+// How the specular lobe is looked up in prefiltered radiance, which knows only lobes that are round (n = v = r).
+enum class EnvironmentLobe : std::uint32_t {
+  mirror,   // one lookup along the mirror direction
+  shifted,  // one, along the lobe's dominant direction: Lagarde and de Rousiers 2014
+  taps2,    // two along the lobe's long axis, weighted by the BRDF
+  taps4,    // four
+  points8,  // eight fixed points of the lobe, each with the width that it stands for
+};
+
+// Which reflectance at normal incidence the environment's single scattering has (Fdez-Aguera 2019).
+enum class EnvironmentFresnel : std::uint32_t {
+  roughness,  // kS, which falls with roughness: the published code
+  f0,         // F0: the derivation
+};
+
+// Where the directional albedo of the specular lobe comes from.
+enum class EnvironmentAlbedo : std::uint32_t {
+  table,      // DfgView
+  fit,        // polynomials within 2e-3 of it (kernels/bsdf/dfg_fit.hpp)
+  small_fit,  // within 1.4e-2, a third as long
+};
+
+struct EnvironmentShading {
+  EnvironmentLobe lobe = EnvironmentLobe::mirror;
+  EnvironmentFresnel fresnel = EnvironmentFresnel::roughness;
+  bool specular_occlusion = false;  // occlusion of reflections by roughness and angle, not by occlusion alone
+  EnvironmentAlbedo albedo = EnvironmentAlbedo::table;
+};
+
+// Directional albedo of the specular lobe: integral f = F0 A + F90 B. Plain: pairs (A, B), texel i of row j at NoV = (i
+// + 0.5) / size, r = (j + 0.5) / size. Warped: pairs and axes of DfgWarpedAxes (kernels/light/dfg_lookup.hpp), which
+// err a thousand times less between the nodes.
+struct DfgView {
+  const float* texels;
+  int size;
+  bool warped = false;
+};
+
+enum ShadeFeature : std::uint32_t {  // what a set of fragments calls for; the smallest kernel that covers it is run
+  feature_lights = 1,
+  feature_environment = 2,
+  feature_emissive = 4,
+  feature_unlit = 8,
+  feature_all = 15,
+};
+
+struct ShadeArgs {
+  GBufferView gbuffer;
+  std::uint32_t count;
+  std::uint32_t features;  // a superset of what the fragments use; the result does not depend on it
+  float eye[4];            // as ViewTransform::eye
+  const LightView* lights;
+  const std::uint32_t* light_list;  // the lights that count, by index, ascending (Kernels::cull_lights); null: all
+  std::uint32_t light_count;        // of the list, or of all
+  EnvironmentView environment;
+  DfgView dfg;
+  float* radiance[3];  // out, SoA; not multiplied by alpha
+  // Where the next fragments will be read from memory: that many floats ahead in every plane lies what is fetched
+  // meanwhile. 0: the planes are in the cache already, as a tile's are.
+  std::uint32_t fetch_ahead;
+  EnvironmentShading environment_shading = {};
+};
+
+// Lights as culling sees them: spheres. Arrays padded to max_lanes.
+struct LightBoundsView {
+  const float *x, *y, *z, *inverse_range_squared;  // 0: reaches everywhere
+  std::uint32_t count;
+};
+
+struct CullLightsArgs {
+  const float* position[3];  // of the fragments, as GBufferView::position
+  std::uint32_t count;
+  LightBoundsView lights;
+  std::uint32_t* out;  // room for lights.count, rounded up to max_lanes
+};
+
+struct StorePixelsArgs {     // opaque radiance -> pixels of a film
+  const float* radiance[3];  // in blocks of 4 x 4 as in a tile, but width / 4 blocks in a row
+  int width, height;         // width: a multiple of 4
+  float* rgba;               // of the first pixel; alpha becomes 1
+  std::size_t row_stride;    // in floats
+};
+
+struct BackgroundArgs {           // radiance of the environment along pixel rays
+  float corner[3], dx[3], dy[3];  // direction(x, y) = corner + x dx + y dy, pixel coordinates; need not be unit
+  CubeView cube;
+  float lod;           // blur
+  const float *x, *y;  // pixel coordinates of each ray
+  std::uint32_t count;
+  float* radiance[3];
+};
+
+enum class ToneCurve : std::uint32_t { none, reinhard, aces, khronos_neutral };
+
+struct EncodeArgs {   // film -> what a display shows
+  const float* rgba;  // linear, premultiplied
+  std::size_t count;  // pixels
+  float exposure;     // factor, applied before the curve
+  ToneCurve curve;
+  std::uint8_t* out;  // sRGB-encoded RGBA, straight alpha (PNG's convention)
+};
+
+}  // namespace tessera
