@@ -27,6 +27,16 @@ struct SmallTriangles {
 /// A vector of pixels that a triangle meets: (column + small_columns * row) * lanes + lane.
 using SmallItem = std::int32_t;
 
+/// a b + c of integers that a float holds exactly, products and sums too: fused or not, it is the same.
+TESSERA_INLINE Float exact_mul_add(Float a, Float b, Float c) {
+#ifdef __SSE4_2__
+#ifndef __FMA__
+  return a * b + c;  // where fusing is emulated
+#endif
+#endif
+  return mul_add(a, b, c);
+}
+
 /// What does not depend on the sample.
 TESSERA_INLINE void prepare_small(const SetupVector& t, const BoxVector& box, SmallTriangles& out) {
   store(out.depth.lane, t.depth);
@@ -96,8 +106,8 @@ TESSERA_INLINE void draw_items(const VisibilityTile& tile, int s, const SmallTri
     const std::uint32_t column_of = k % small_columns, row_of = k / small_columns;
     Float edge[3];
     for (int e = 0; e < 3; ++e)
-      edge[e] =
-          mul_add(Float(t.b[e].lane[i]), row, mul_add(Float(t.a[e].lane[i]), column, Float(t.edge[k][e].lane[i])));
+      edge[e] = exact_mul_add(Float(t.b[e].lane[i]), row,
+                              exact_mul_add(Float(t.a[e].lane[i]), column, Float(t.edge[k][e].lane[i])));
     Mask covered = min(min(edge[0], edge[1]), edge[2]) >= Float(0);
     if (masked)
       covered &= (lane_column() < Int(tile.width - t.x0.lane[i] - int(column_of) * vector_width)) &
