@@ -23,19 +23,15 @@ inline constexpr int group_size = 16;  // pixels along the side of 4 x 4 blocks
 
 /// Set-up in one tile of as many triangles as a vector has lanes.
 struct TileTriangles {
-  template <class T>
-  struct alignas(64) Lanes {
-    T lane[Int::lanes];
-  };
   // Pixels of the tile. The first group begins at (x0, y0), which is aligned to blocks of 4 x 4, and if the bounding
   // box is larger than a group, to groups.
-  Lanes<std::int32_t> x0, y0, x1, y1;
-  Lanes<std::int32_t> a[3], b[3];         // as in TileEdges
-  Lanes<std::int32_t> c[max_samples][3];  // at pixel (x0, y0)
-  Lanes<std::int32_t> most[3], least[3];  // of an edge function within a block, beyond its first pixel's
-  Lanes<float> from_x, from_y;            // of that pixel's corner, from vertex 0, in pixels
-  Lanes<float> depth, depth_dx, depth_dy, depth_min, depth_max;
-  Lanes<std::int32_t> triangle;
+  LaneArray<std::int32_t> x0, y0, x1, y1;
+  LaneArray<std::int32_t> a[3], b[3];         // as in TileEdges
+  LaneArray<std::int32_t> c[max_samples][3];  // at pixel (x0, y0)
+  LaneArray<std::int32_t> most[3], least[3];  // of an edge function within a block, beyond its first pixel's
+  LaneArray<float> from_x, from_y;            // of that pixel's corner, from vertex 0, in pixels
+  LaneArray<float> depth, depth_dx, depth_dy, depth_min, depth_max;
+  LaneArray<std::int32_t> triangle;
 
   /// Lanes of box.near.
   TESSERA_INLINE void set(const VisibilityTile& tile, const SetupVector& t, const BoxVector& box,

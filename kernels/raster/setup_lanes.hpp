@@ -10,6 +10,12 @@ inline constexpr std::int32_t small_extent_in_tile = 1 << 14;
 /// Kernels gather set-up with signed 32-bit offsets.
 inline constexpr std::uint32_t max_gathered_setup = (1u << 31) / (sizeof(SetupTriangle) / sizeof(float)) - 1;
 
+/// A vector's lanes in memory, to be read one by one.
+template <class T>
+struct alignas(64) LaneArray {
+  T lane[Int::lanes];
+};
+
 /// A vector of SetupTriangle.
 struct SetupVector {
   Int x[3], y[3];

@@ -12,16 +12,12 @@ inline constexpr int small_columns = 4, small_rows = 16 / vector_height;  // vec
 /// Edge functions of near triangles (BoxVector) are integers below 2^23 within their box: |a|, |b| < 2^14 and distances
 /// below 64 + 16 pixels. Floats hold them exactly.
 struct SmallTriangles {
-  template <class T>
-  struct alignas(64) Lanes {
-    T lane[Int::lanes];
-  };
-  Lanes<float> a[3], b[3];
-  Lanes<float> edge[small_columns * small_rows][3];        // at each vector's first pixel
-  Lanes<float> from_x[small_columns], from_y[small_rows];  // of that pixel's sample, from vertex 0, in pixels
-  Lanes<float> depth, depth_dx, depth_dy, depth_min, depth_max;
-  Lanes<std::int32_t> triangle, x0, y0;   // (x0, y0): the first vector's first pixel
-  Lanes<std::int32_t> pixel[small_rows];  // tile_pixel() of each row's first vector
+  LaneArray<float> a[3], b[3];
+  LaneArray<float> edge[small_columns * small_rows][3];        // at each vector's first pixel
+  LaneArray<float> from_x[small_columns], from_y[small_rows];  // of that pixel's sample, from vertex 0, in pixels
+  LaneArray<float> depth, depth_dx, depth_dy, depth_min, depth_max;
+  LaneArray<std::int32_t> triangle, x0, y0;   // (x0, y0): the first vector's first pixel
+  LaneArray<std::int32_t> pixel[small_rows];  // tile_pixel() of each row's first vector
 };
 
 /// A vector of pixels that a triangle meets: (column + small_columns * row) * lanes + lane.

@@ -43,9 +43,6 @@ class TouchedTiles {
     by_edges_ = box_.last - box_.first > 1 || last_row_ - first_row_ > 1;
     if (by_edges_) set_edges(screen, t);
   }
-  /// No row is cut by an edge: row() is the same for all.
-  [[nodiscard]] bool is_box() const { return !by_edges_; }
-  [[nodiscard]] TileRange box() const { return box_; }
   [[nodiscard]] int first_row() const { return first_row_; }
   [[nodiscard]] int last_row() const { return last_row_; }  // before first_row: none
   /// Empty (last < first) where the edges leave nothing of the row.
