@@ -115,3 +115,5 @@ using MaskOf = typename NumberTraits<F>::Boolean;
 
 #include "kernels/simd/scalar.hpp"
 #include "kernels/simd/vector.hpp"
+
+#include "kernels/simd/pair.hpp"

@@ -27,13 +27,11 @@ void write(const std::string& path, const T* values, std::size_t count) {
 std::vector<std::uint16_t> plain_texels(const CubeView& cube) {
   std::vector<std::uint16_t> out;
   for (int level = 0; level < cube.levels; ++level) {
-    const std::size_t n = std::size_t(cube.size) >> level, stride = (n + 2) * 4;
-    const std::uint16_t* face = cube.texels + cube_level_offset(cube.size, level) * 4;
-    for (int f = 0; f < 6; ++f, face += (n + 2) * stride)
-      for (std::size_t j = 1; j <= n; ++j) {
-        const std::uint16_t* row = face + j * stride + 4;
-        out.insert(out.end(), row, row + n * 4);
-      }
+    const int n = cube.size >> level;
+    for (int k = 0; k < 6 * n; ++k) {
+      const std::uint16_t* row = cube.texels + cube_texel_index(cube.size, cube.levels, level, k / n, 0, k % n) * 4;
+      out.insert(out.end(), row, row + n * 4);
+    }
   }
   return out;
 }

@@ -14,10 +14,10 @@ struct BlockShader {
   float* rgba;
   ShadeArgs args{};  // what all blocks share
 
-  void shade(int block) const {
+  // a: a copy of args.
+  void shade(int block, ShadeArgs& a) const {
     alignas(64) float radiance[3][block_pixels];
     std::uint32_t list[most_lights];
-    ShadeArgs a = args;
     a.gbuffer = gbuffer.block(block);
     for (int k = 0; k < 3; ++k) a.radiance[k] = radiance[k];
     if (lights.culled) {
@@ -57,7 +57,8 @@ void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const S
   // A row of blocks is a task: neighbours in memory stay on one core, and there are enough rows to even out.
   parallel_for(std::size_t(gbuffer.blocks_y()), [&](std::size_t row) {
     const int first = int(row) * gbuffer.blocks_x();
-    for (int x = 0; x < gbuffer.blocks_x(); ++x) shader.shade(first + x);
+    ShadeArgs args = shader.args;
+    for (int x = 0; x < gbuffer.blocks_x(); ++x) shader.shade(first + x, args);
   });
 }
 

@@ -10,34 +10,35 @@ namespace {
 
 // The sets that scenes are made of have their own instance; the others run the next larger one.
 template <bool plain>
-void shade_lit_by_environment(const ShadeArgs& args) {
+void shade_lit_by_environment(const ShadeArgs& args, std::uint32_t features, std::uint32_t light_count) {
   constexpr std::uint32_t lit = feature_lights | feature_environment;
-  if (args.features == feature_environment) return shade_tile<feature_environment, plain>(args);
-  if (args.features == lit) return shade_tile<lit, plain>(args);
-  return shade_tile<feature_all, plain>(args);
+  if (features == feature_environment) return shade_tile<feature_environment, plain>(args, 0);
+  if (features == lit) return shade_tile<lit, plain>(args, light_count);
+  return shade_tile<feature_all, plain>(args, light_count);
 }
 
 }  // namespace
 
-void shade(const ShadeArgs& given) {
+void shade(const ShadeArgs& args) {
   // What these fragments use and this scene has.
-  ShadeArgs args = given;
-  if (!(args.features & feature_lights)) args.light_count = 0;
-  if (args.light_count == 0) args.features &= ~feature_lights;
-  if (!args.environment.specular.texels) args.features &= ~feature_environment;
-  if (args.features & feature_environment) {
-    return is_plain(args.environment_shading, args.environment) ? shade_lit_by_environment<true>(args)
-                                                                : shade_lit_by_environment<false>(args);
+  std::uint32_t features = args.features;
+  const std::uint32_t light_count = features & feature_lights ? args.light_count : 0;
+  if (light_count == 0) features &= ~feature_lights;
+  if (!args.environment.specular.texels) features &= ~feature_environment;
+  if (features & feature_environment) {
+    return is_plain(args.environment_shading, args.environment)
+               ? shade_lit_by_environment<true>(args, features, light_count)
+               : shade_lit_by_environment<false>(args, features, light_count);
   }
-  switch (args.features) {
+  switch (features) {
     case 0:
-      return shade_tile<0, true>(args);
+      return shade_tile<0, true>(args, 0);
     case feature_lights:
-      return shade_tile<feature_lights, true>(args);
+      return shade_tile<feature_lights, true>(args, light_count);
     case feature_unlit:
-      return shade_tile<feature_unlit, true>(args);
+      return shade_tile<feature_unlit, true>(args, 0);
     default:
-      return shade_tile<feature_all & ~feature_environment, true>(args);
+      return shade_tile<feature_all & ~feature_environment, true>(args, light_count);
   }
 }
 

@@ -31,17 +31,32 @@ enum class CubeFormat : std::uint32_t {
 
 // A cubemap with mips. Every face of every level has a border of one texel, so that a bilinear footprint never leaves
 // it: (n + 2) x (n + 2) texels, the border holding the neighbouring faces' texels (corners: the mean of the other three
-// taps).
+// taps). A face with its levels is one image: level 0 above, the others side by side below it. So the distance from one
+// row to the next is the same in all levels.
 struct CubeView {
-  const std::uint16_t* texels;  // level 0 first; in a level faces; in a face rows
+  const std::uint16_t* texels;  // faces
   int size;                     // texels along a face of level 0, without the border; a power of two
   int levels;
   CubeFormat format = CubeFormat::rgba16_float;  // of EnvironmentView::specular alone; all others are halves
 };
-inline constexpr std::size_t cube_level_offset(int size, int level) {  // in texels, from level 0
-  std::size_t offset = 0;
-  for (int k = 0; k < level; ++k) offset += std::size_t{6} * ((size >> k) + 2) * ((size >> k) + 2);
-  return offset;
+// All in texels; size and levels as in CubeView.
+inline constexpr int cube_pitch(int size, int levels) {  // from one row to the next
+  const int last = size >> (levels - 1), below = size - last + 2 * (levels - 1);
+  return below > size + 2 ? below : size + 2;
+}
+inline constexpr int cube_face_texels(int size, int levels) {  // from one face to the next
+  return cube_pitch(size, levels) * (levels > 1 ? size + 2 + size / 2 + 2 : size + 2);
+}
+inline constexpr std::size_t cube_texel_count(int size, int levels) {  // of all faces
+  return std::size_t{6} * std::size_t(cube_face_texels(size, levels));
+}
+inline constexpr int cube_level_start(int size, int levels, int level) {  // from a face's first texel
+  return level == 0 ? 0 : (size + 2) * cube_pitch(size, levels) + size - 2 * (size >> level) + 2 * (level - 1);
+}
+inline constexpr std::size_t cube_texel_index(int size, int levels, int level, int face, int i, int j) {
+  // i, j: -1 to size >> level
+  return std::size_t(face) * std::size_t(cube_face_texels(size, levels)) +
+         std::size_t(cube_level_start(size, levels, level) + (j + 1) * cube_pitch(size, levels) + i + 1);
 }
 
 struct EnvironmentView {

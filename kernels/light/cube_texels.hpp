@@ -27,7 +27,9 @@ struct TexelPair {
 /// goes into the weights that they are multiplied by anyway. Signs are dropped; infinities and NaNs become numbers.
 template <>
 inline constexpr float texel_scale<HalfTexels, Float> = 0x1p112f;
-TESSERA_INLINE Float scaled_low_half(Int x) { return from_bits(shift_right_logical(x << 17, 4)); }
+template <>
+inline constexpr float texel_scale<HalfTexels, Pair<Float>> = 0x1p112f;
+TESSERA_INLINE Float scaled_low_half(Int x) { return from_bits((x << 13) & Int(0x0fffe000)); }
 TESSERA_INLINE Float scaled_high_half(Int x) { return from_bits(shift_right_logical(x, 3) & Int(0x0fffe000)); }
 
 /// Two neighbours as they lie in memory, eight halves: the texels divided by texel_scale.

@@ -10,16 +10,17 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-/// Where a direction meets the cube: the face, and sc/ma, tc/ma in [-1, 1] (OpenGL 4.6, table 8.19; ties go to x, then
-/// y).
+/// Where a direction meets the cube: `faces` times the face's number, and sc/ma, tc/ma in [-1, 1] (OpenGL 4.6, table
+/// 8.19; ties go to x, then y).
 template <class F>
 struct CubePoint {
   IntOf<F> face;
   F s, t;
 };
 
+/// Any bits give a point of the cube.
 template <class F>
-TESSERA_INLINE CubePoint<F> cube_point(const Vec3<F>& d) {
+TESSERA_INLINE CubePoint<F> cube_point(const Vec3<F>& d, int faces = 1) {
   const F ax = abs(d.x), ay = abs(d.y), az = abs(d.z);
   const auto major_x = (ax >= ay) & (ax >= az);
   const auto major_y = ay >= az;
@@ -30,8 +31,9 @@ TESSERA_INLINE CubePoint<F> cube_point(const Vec3<F>& d) {
   const F sc = select(major_x, z_or_minus_z, select(major_y | !negative, d.x, -d.x));
   const F tc = select(major_x | !major_y, -d.y, -z_or_minus_z);
   const F scale = F(1) / abs(axis);
-  const IntOf<F> first = select(major_x, IntOf<F>(0), select(major_y, IntOf<F>(2), IntOf<F>(4)));
-  return {select(negative, first + IntOf<F>(1), first), sc * scale, tc * scale};
+  const IntOf<F> first = select(major_x, IntOf<F>(0), select(major_y, IntOf<F>(2 * faces), IntOf<F>(4 * faces)));
+  return {select(negative, first + IntOf<F>(faces), first), clamp(sc * scale, F(-1), F(1)),
+          clamp(tc * scale, F(-1), F(1))};
 }
 
 template <class F>
@@ -42,27 +44,22 @@ inline constexpr int mantissa_bits<double> = 52;
 /// Two texels of a row, the two below them, and what each counts for.
 template <class F>
 struct BilinearFootprint {
-  IntOf<F> above, below;  // index of the left one
+  IntOf<F> above;  // index of the left one; those below are a row on
   F w00, w01, w10, w11;
 };
 
-/// The bilinear footprint, times weight, in the level of n = (float) ni texels along a face whose first texel has the
-/// index `start`. The border makes it seamless: no footprint leaves its face.
+/// The bilinear footprint, times weight, in a level of 2 half texels along a face whose first texel has the index
+/// `start`. The border makes it seamless: no footprint leaves its face.
 template <class Texels = HalfTexels, class F>
-TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F n, IntOf<F> ni, IntOf<F> start, F weight) {
+TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F half, IntOf<F> start, int pitch, F weight) {
   using I = IntOf<F>;
-  const F half = n * F(0.5);
   const F centre = half + F(0.5);  // texel 0's centre is at 1/2 in the face and at 3/2 with the border: s n + 1/2
-  const F limit = n + F(0.5);
-  const F x = clamp(mul_add(p.s, half, centre), F(0.5), limit);  // NaN becomes 1/2
-  const F y = clamp(mul_add(p.t, half, centre), F(0.5), limit);
+  const F x = mul_add(p.s, half, centre), y = mul_add(p.t, half, centre);
   const I i = truncate_to_int(x), j = truncate_to_int(y);
   const F fx = x - to_float(i), fy = y - to_float(j);
 
-  const I row = ni + I(2);
   BilinearFootprint<F> f;
-  f.above = start + (p.face * row + j) * row + i;
-  f.below = f.above + row;
+  f.above = j * I(pitch) + (start + i);
   const F scaled = weight * F(texel_scale<Texels, F>);
   const F wy1 = fy * scaled, wy0 = scaled - wy1;
   f.w01 = fx * wy0;
@@ -84,7 +81,9 @@ TESSERA_INLINE Vec3<F> blend(const BilinearFootprint<F>& f, const TexelPair<F>& 
 
 template <class Texels = HalfTexels, class F>
 TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const BilinearFootprint<F>& f) {
-  const TexelPair<F> above = cube_texels<F>(Texels{}, cube, f.above), below = cube_texels<F>(Texels{}, cube, f.below);
+  const IntOf<F> next_row(cube_pitch(cube.size, cube.levels));
+  const TexelPair<F> above = cube_texels<F>(Texels{}, cube, f.above);
+  const TexelPair<F> below = cube_texels<F>(Texels{}, cube, f.above + next_row);
   return blend(f, above, below);
 }
 
@@ -94,39 +93,39 @@ struct CubeLookup {
   BilinearFootprint<F> fine, coarse;
 };
 
-/// As sample_cube.
+/// p: from cube_point(direction, cube_face_texels). The rest as sample_cube.
 template <class Texels = HalfTexels, class F>
-TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const Vec3<F>& direction, F lod) {
+TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F>& p, F lod) {
   using I = IntOf<F>;
-  const CubePoint<F> p = cube_point(direction);
-  const int last = cube.levels - 1, step = cube.levels > 1 ? 1 : 0;
+  const int pitch = cube_pitch(cube.size, cube.levels);
+  CubeLookup<F> lookup;
+  if (cube.levels == 1) {
+    lookup.fine = lookup.coarse = cube_footprint<Texels>(p, F(cube.size) * F(0.5), p.face, pitch, F(1));
+    lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
+    return lookup;
+  }
+  const int last = cube.levels - 1;
   const F level = clamp(lod, F(0), F(last));
-  const I fine = min(truncate_to_int(level), I(last - step));  // at the last level: all weight on the coarser one
+  const I fine = min(truncate_to_int(level), I(last - 1));  // at the last level: all weight on the coarser one
   const F w = level - to_float(fine);
 
-  const F n = from_bits(bits(F(cube.size)) - (fine << mantissa_bits<F>));  // size >> level, exactly
-  const I ni = truncate_to_int(n), size = I(cube.size);
-  // cube_level_offset: 6 times the sum over k < level of ((size >> k) + 2)^2.
-  const I start = ((size - ni) * (size + ni + I(6)) << 3) + fine * I(24);
-  const I next = start + (ni + I(2)) * (ni + I(2)) * I(6);
-  CubeLookup<F> lookup;
-  lookup.fine = cube_footprint<Texels>(p, n, ni, start, F(1) - w);
-  if (step == 0) {
-    lookup.coarse = lookup.fine;
-    lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
-  } else {
-    lookup.coarse = cube_footprint<Texels>(p, n * F(0.5), ni >> 1, next, w);
-  }
+  const F half = from_bits(bits(F(cube.size) * F(0.5)) - (fine << mantissa_bits<F>));  // exact
+  const I n = truncate_to_int(half + half);
+  // cube_level_start() of the coarser level, which is never level 0, and of the finer one, which may be.
+  const int below = (cube.size + 2) * pitch;
+  const I coarse_start = p.face + ((fine << 1) - n + I(below + cube.size));
+  const I fine_start = select(fine > I(0), coarse_start - n - I(2), p.face);
+  lookup.fine = cube_footprint<Texels>(p, half, fine_start, pitch, F(1) - w);
+  lookup.coarse = cube_footprint<Texels>(p, half * F(0.5), coarse_start, pitch, w);
   return lookup;
 }
 
 /// One level for all lanes.
 template <class F>
 TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubePoint<F>& p, int level, float weight) {
-  using I = IntOf<F>;
-  const int n = cube.size >> level;
-  const int start = 8 * (cube.size - n) * (cube.size + n + 6) + 24 * level;
-  return sample_footprint(cube, cube_footprint(p, F(n), I(n), I(start), F(weight)));
+  const IntOf<F> start = p.face + IntOf<F>(cube_level_start(cube.size, cube.levels, level));
+  const F half = F(cube.size >> level) * F(0.5);
+  return sample_footprint(cube, cube_footprint(p, half, start, cube_pitch(cube.size, cube.levels), F(weight)));
 }
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
@@ -135,14 +134,15 @@ TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubeP
 /// must be what the cube's format says.
 template <class Texels = HalfTexels, class F>
 inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod) {
-  const CubeLookup<F> lookup = cube_lookup<Texels>(cube, direction, lod);
+  const CubePoint<F> point = cube_point(direction, cube_face_texels(cube.size, cube.levels));
+  const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, lod);
   return sample_footprint<Texels>(cube, lookup.fine) + sample_footprint<Texels>(cube, lookup.coarse);
 }
 
 /// As above with one lod for all lanes: a whole level is read once.
 template <class F>
 inline Vec3<F> sample_cube_uniform(const CubeView& cube, const Vec3<F>& direction, float lod) {
-  const CubePoint<F> p = cube_point(direction);
+  const CubePoint<F> p = cube_point(direction, cube_face_texels(cube.size, cube.levels));
   const float level = clamp(lod, 0.0f, float(cube.levels - 1));
   const std::int32_t fine = truncate_to_int(level);
   const float w = level - to_float(fine);
@@ -172,11 +172,13 @@ template <class F>
 struct DfgTexels {
   F A0, B0, A1, B1;
 };
+/// As they lie in memory.
+TESSERA_INLINE DfgTexels<Float> dfg_texels(const Float (&words)[4]) { return {words[0], words[1], words[2], words[3]}; }
 template <class F>
 TESSERA_INLINE DfgTexels<F> dfg_texels(const DfgView& dfg, IntOf<F> index) {
   Float words[4];
   gather_quads(dfg.texels, index << 1, words);
-  return {words[0], words[1], words[2], words[3]};
+  return dfg_texels(words);
 }
 template <>
 inline DfgTexels<float> dfg_texels<float>(const DfgView& dfg, std::int32_t index) {
@@ -200,7 +202,7 @@ TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r
   const F w1 = x - to_float(i), v1 = y - to_float(j);
   const F w0 = F(1) - w1, v0 = F(1) - v1;
   const I above = j * I(dfg.size) + i;
-  return {above, above + I(dfg.size), v0 * w0, v0 * w1, v1 * w0, v1 * w1};
+  return {above, v0 * w0, v0 * w1, v1 * w0, v1 * w1};
 }
 
 /// A and B from the four texels of a footprint.
@@ -219,7 +221,8 @@ TESSERA_INLINE EnvironmentBRDF<F> blend(const DfgView& dfg, F NoV, const Bilinea
 template <class F>
 inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
   const BilinearFootprint<F> f = dfg_footprint(dfg, NoV, r);
-  const DfgTexels<F> above = dfg_texels<F>(dfg, f.above), below = dfg_texels<F>(dfg, f.below);
+  const DfgTexels<F> above = dfg_texels<F>(dfg, f.above);
+  const DfgTexels<F> below = dfg_texels<F>(dfg, f.above + IntOf<F>(dfg.size));
   const EnvironmentBRDF<F> brdf = blend(dfg, NoV, f, above, below);
   A = brdf.A;
   B = brdf.B;

@@ -9,71 +9,95 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-template <class F>
-struct Surface {
-  Vec3<F> position;    // within +-max_coordinate
-  Vec3<F> normal;      // unit; components within +-1 in any case
-  Vec3<F> base_color;  // 0..1, as the five below
-  F metallic, roughness, occlusion;
-};
-
 inline constexpr double max_coordinate = 1e12;  // metres; distances cubed stay finite
 inline constexpr double max_radiance = 1e30;    // a sum of 1e8 of these is still finite
 
-TESSERA_INLINE Float load_clamped(const float* plane, std::uint32_t i, double low, double high) {
-  return clamp(load<Float>(plane + i), Float(low), Float(high));
-}
-
-TESSERA_INLINE Vec3<Float> load_clamped(float* const planes[3], std::uint32_t i, double low, double high) {
-  return {load_clamped(planes[0], i, low, high), load_clamped(planes[1], i, low, high),
-          load_clamped(planes[2], i, low, high)};
-}
-
-TESSERA_INLINE Surface<Float> load_surface(const GBufferView& g, std::uint32_t i) {
-  return {load_clamped(g.position, i, -max_coordinate, max_coordinate),
-          load_clamped(g.normal, i, -1, 1),
-          load_clamped(g.base_color, i, 0, 1),
-          load_clamped(g.metallic, i, 0, 1),
-          load_clamped(g.roughness, i, 0, 1),
-          load_clamped(g.occlusion, i, 0, 1)};
-}
-
-/// A surface seen from the eye: all that no light changes.
 template <class F>
-struct ShadingPoint {
-  Vec3<F> position, n, v;
-  Vec3<F> to_eye;  // v, of any length
-  F to_eye_n;      // n.to_eye: both are there before a root is taken
-  F nv;            // n.v as it is; negative where a shading normal turns away from the eye
-  F NoV;           // in [1e-4,1]: keeps V = G/(4 NoL NoV) finite
-  Vec3<F> f0;
-  Vec3<F> albedo;  // of the diffuse part
-  F roughness, occlusion;
-};
+TESSERA_INLINE F load_clamped(const float* plane, std::uint32_t i, double low, double high) {
+  return clamp(load<F>(plane + i), F(low), F(high));
+}
+template <class F>
+TESSERA_INLINE Vec3<F> load_clamped(const float* const planes[3], std::uint32_t i, double low, double high) {
+  return {load_clamped<F>(planes[0], i, low, high), load_clamped<F>(planes[1], i, low, high),
+          load_clamped<F>(planes[2], i, low, high)};
+}
+
+/// Within +-max_coordinate.
+template <class F>
+TESSERA_INLINE Vec3<F> load_position(const GBufferView& g, std::uint32_t i) {
+  return load_clamped<F>(g.position, i, -max_coordinate, max_coordinate);
+}
+/// Unit; components within +-1 in any case.
+template <class F>
+TESSERA_INLINE Vec3<F> load_normal(const GBufferView& g, std::uint32_t i) {
+  return load_clamped<F>(g.normal, i, -1, 1);
+}
+template <class F>
+TESSERA_INLINE F load_roughness(const GBufferView& g, std::uint32_t i) {
+  return load_clamped<F>(g.roughness, i, 0, 1);
+}
+template <class F>
+TESSERA_INLINE F load_occlusion(const GBufferView& g, std::uint32_t i) {
+  return load_clamped<F>(g.occlusion, i, 0, 1);
+}
 
 inline constexpr double dielectric_f0 = 0.04;            // ior 1.5
 inline constexpr double min_punctual_roughness = 0.045;  // alpha = 0.002: a point light's highlight stays wider than a
                                                          // pixel, and alpha^4 far from the denormals
 
-/// eye as ShadeArgs::eye.
+/// A surface's colours, in [0, 1]: at normal incidence, and of the diffuse part.
 template <class F>
-TESSERA_INLINE ShadingPoint<F> shading_point(const Surface<F>& s, const float eye[4]) {
-  ShadingPoint<F> p;
-  p.position = s.position;
-  p.n = s.normal;
-  const Vec3<F> e = {F(eye[0]), F(eye[1]), F(eye[2])};
-  p.to_eye = eye[3] == 0.0f ? e : e - s.position;
-  p.to_eye_n = dot(p.n, p.to_eye);
-  p.v = normalize(p.to_eye);
-  p.nv = dot(p.n, p.v);
-  p.NoV = clamp(p.nv, F(1e-4), F(1));
-  const F dielectric = F(1) - s.metallic;
+struct Reflectance {
+  Vec3<F> f0, albedo;
+};
+
+template <class F>
+TESSERA_INLINE Reflectance<F> load_reflectance(const GBufferView& g, std::uint32_t i) {
+  const Vec3<F> base_color = load_clamped<F>(g.base_color, i, 0, 1);
+  const F metallic = load_clamped<F>(g.metallic, i, 0, 1);
+  const F dielectric = F(1) - metallic;
   const F f0 = dielectric * F(dielectric_f0);
-  p.f0 = {mul_add(s.base_color.x, s.metallic, f0), mul_add(s.base_color.y, s.metallic, f0),
-          mul_add(s.base_color.z, s.metallic, f0)};
-  p.albedo = s.base_color * dielectric;
-  p.roughness = s.roughness;
-  p.occlusion = s.occlusion;
+  return {
+      {mul_add(base_color.x, metallic, f0), mul_add(base_color.y, metallic, f0), mul_add(base_color.z, metallic, f0)},
+      base_color * dielectric};
+}
+
+/// Towards the eye, of any length. eye as ShadeArgs::eye.
+template <class F>
+TESSERA_INLINE Vec3<F> to_eye(const Vec3<F>& position, const float eye[4]) {
+  const Vec3<F> e = {F(eye[0]), F(eye[1]), F(eye[2])};
+  return eye[3] == 0.0f ? e : e - position;
+}
+
+/// n.v as V = G/(4 NoL NoV) can bear it: in [1e-4, 1].
+template <class F>
+TESSERA_INLINE F clamp_NoV(F nv) {
+  return clamp(nv, F(1e-4), F(1));
+}
+
+/// A surface seen from the eye: all that no light changes.
+template <class F>
+struct ShadingPoint {
+  Vec3<F> n, v;
+  F nv;   // n.v as it is; negative where a shading normal turns away from the eye
+  F NoV;  // in [1e-4,1]
+  Vec3<F> f0;
+  Vec3<F> albedo;  // of the diffuse part
+  F roughness, occlusion;
+};
+
+template <class F>
+TESSERA_INLINE ShadingPoint<F> shading_point(const GBufferView& g, std::uint32_t i, const float eye[4]) {
+  ShadingPoint<F> p;
+  p.n = load_normal<F>(g, i);
+  p.v = normalize(to_eye(load_position<F>(g, i), eye));
+  p.nv = dot(p.n, p.v);
+  p.NoV = clamp_NoV(p.nv);
+  const Reflectance<F> reflectance = load_reflectance<F>(g, i);
+  p.f0 = reflectance.f0;
+  p.albedo = reflectance.albedo;
+  p.roughness = load_roughness<F>(g, i);
+  p.occlusion = load_occlusion<F>(g, i);
   return p;
 }
 

@@ -120,13 +120,15 @@ TESSERA_INLINE void transpose_quads(__m256 a, __m256 b, __m256 c, __m256 d, __m2
   out[2] = _mm256_shuffle_ps(ab_high, cd_high, 0x44);
   out[3] = _mm256_shuffle_ps(ab_high, cd_high, 0xee);
 }
+// Each record's quads lie `stride` apart.
 template <int quads, class Load>
-TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, const Load& load, __m256* out) {
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, std::ptrdiff_t stride, const Load& load,
+                                   __m256* out) {
   __m256 records[quads][4];
   for (int i = 0; i < 4; ++i) {
     const float *low = base + word[i], *high = base + word[i + 4];
     for (int q = 0; q < quads; ++q)
-      records[q][i] = _mm256_insertf128_ps(_mm256_castps128_ps256(load(low + 4 * q)), load(high + 4 * q), 1);
+      records[q][i] = _mm256_insertf128_ps(_mm256_castps128_ps256(load(low + stride * q)), load(high + stride * q), 1);
   }
   for (int q = 0; q < quads; ++q) {
     __m256 words_of_quad[4];
@@ -139,12 +141,12 @@ TESSERA_INLINE void gather_records(const float* base, __m256i words, const Load&
   alignas(32) std::int32_t word[8];
   _mm256_store_si256(reinterpret_cast<__m256i*>(word), words);
   asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
-  gather_records<quads>(base, static_cast<const std::int32_t*>(word), load, out);
+  gather_records<quads>(base, word, 4, load, out);
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m256* out) {
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, __m256* out) {
   gather_records<quads>(
-      base, word, [](const float* p) { return load_quad(p); }, out);
+      base, word, stride, [](const float* p) { return load_quad(p); }, out);
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256* out) {

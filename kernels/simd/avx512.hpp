@@ -100,17 +100,19 @@ TESSERA_INLINE void transpose_quads(__m512 a, __m512 b, __m512 c, __m512 d, __m5
 TESSERA_INLINE __m128 load_quad(const float* p) { return _mm_loadu_ps(p); }
 TESSERA_INLINE __m128 load_triple(const float* p) { return _mm_maskz_loadu_ps(7, p); }
 template <class Load>
-TESSERA_INLINE __m512 four_records(const float* const (&p)[4], int word, const Load& load) {
+TESSERA_INLINE __m512 four_records(const float* const (&p)[4], std::ptrdiff_t word, const Load& load) {
   const __m256 low = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[0] + word)), load(p[1] + word), 1);
   const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[2] + word)), load(p[3] + word), 1);
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1);
 }
+// Each record's quads lie `stride` apart.
 template <int quads, class Load>
-TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, const Load& load, __m512* out) {
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, std::ptrdiff_t stride, const Load& load,
+                                   __m512* out) {
   __m512 records[quads][4];
   for (int i = 0; i < 4; ++i) {
     const float* const p[4] = {base + word[i], base + word[i + 4], base + word[i + 8], base + word[i + 12]};
-    for (int q = 0; q < quads; ++q) records[q][i] = four_records(p, 4 * q, load);
+    for (int q = 0; q < quads; ++q) records[q][i] = four_records(p, stride * q, load);
   }
   for (int q = 0; q < quads; ++q) {
     __m512 words_of_quad[4];
@@ -123,12 +125,12 @@ TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load&
   alignas(64) std::int32_t word[16];
   _mm512_store_si512(word, words);
   asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
-  gather_records<quads>(base, static_cast<const std::int32_t*>(word), load, out);
+  gather_records<quads>(base, word, 4, load, out);
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m512* out) {
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, __m512* out) {
   gather_records<quads>(
-      base, word, [](const float* p) { return load_quad(p); }, out);
+      base, word, stride, [](const float* p) { return load_quad(p); }, out);
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {

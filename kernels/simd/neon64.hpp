@@ -149,10 +149,11 @@ TESSERA_INLINE void spread_two(const float* const* record, int32x4_t place4, con
   spread_one(record + 1, place4, load, high);
   for (int i = 0; i < 4; ++i) out[i] = vbslq_f32(second, high[i], out[i]);
 }
+// Each record's quads lie `stride` apart.
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t* out) {
+TESSERA_INLINE void gather_records(const float* base, int32x4_t words, std::ptrdiff_t stride, float32x4_t* out) {
   for (int q = 0; q < quads; ++q) {
-    const float* from = base + 4 * q;
+    const float* from = base + stride * q;
     float32x4_t words_of_quad[4];
     transpose_quads(vld1q_f32(from + words[0]), vld1q_f32(from + words[1]), vld1q_f32(from + words[2]),
                     vld1q_f32(from + words[3]), words_of_quad);
@@ -160,8 +161,12 @@ TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t
   }
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, float32x4_t* out) {
-  gather_quads<quads>(base, vld1q_s32(word), out);
+TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t* out) {
+  gather_records<quads>(base, words, 4, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, float32x4_t* out) {
+  gather_records<quads>(base, vld1q_s32(word), stride, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, int32x4_t words, float32x4_t* out) {
   float32x4_t triple[4];

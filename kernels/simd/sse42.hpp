@@ -228,20 +228,26 @@ TESSERA_INLINE void spread_two(const float* const* record, __m128i place4, const
   spread_one(record + 1, place4, load, high);
   for (int i = 0; i < 4; ++i) out[i] = _mm_blendv_ps(out[i], high[i], second);
 }
+// Each record's quads lie `stride` apart.
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, __m128i words, __m128* out) {
-  const float* const p[4] = {base + _mm_extract_epi32(words, 0), base + _mm_extract_epi32(words, 1),
-                             base + _mm_extract_epi32(words, 2), base + _mm_extract_epi32(words, 3)};
+TESSERA_INLINE void gather_records(const float* const (&p)[4], std::ptrdiff_t stride, __m128* out) {
   for (int q = 0; q < quads; ++q) {
+    const std::ptrdiff_t at = stride * q;
     __m128 words_of_quad[4];
-    transpose_quads(_mm_loadu_ps(p[0] + 4 * q), _mm_loadu_ps(p[1] + 4 * q), _mm_loadu_ps(p[2] + 4 * q),
-                    _mm_loadu_ps(p[3] + 4 * q), words_of_quad);
+    transpose_quads(_mm_loadu_ps(p[0] + at), _mm_loadu_ps(p[1] + at), _mm_loadu_ps(p[2] + at), _mm_loadu_ps(p[3] + at),
+                    words_of_quad);
     for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
   }
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, __m128* out) {
-  gather_quads<quads>(base, _mm_loadu_si128(reinterpret_cast<const __m128i*>(word)), out);
+TESSERA_INLINE void gather_quads(const float* base, __m128i words, __m128* out) {
+  gather_records<quads>({base + _mm_extract_epi32(words, 0), base + _mm_extract_epi32(words, 1),
+                         base + _mm_extract_epi32(words, 2), base + _mm_extract_epi32(words, 3)},
+                        4, out);
+}
+template <int quads>
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, __m128* out) {
+  gather_records<quads>({base + word[0], base + word[1], base + word[2], base + word[3]}, stride, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out) {
   __m128 triple[4];

@@ -175,13 +175,15 @@ TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[words
   native::gather_quads<words / 4>(base, word.raw(), r);
   for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
 }
-// The same with the lanes' words in memory.
-template <int words>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, Float (&out)[words]) {
-  static_assert(words % 4 == 0);
-  native::FloatRegister r[words];
-  native::gather_quads<words / 4>(base, word, r);
-  for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
+// Four words of each record, and the four that lie `stride` words behind those. The lanes' words are in memory.
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, Float (&first)[4],
+                                 Float (&second)[4]) {
+  native::FloatRegister r[8];
+  native::gather_quads<2>(base, word, stride, r);
+  for (int i = 0; i < 4; ++i) {
+    first[i] = make_float(r[i]);
+    second[i] = make_float(r[4 + i]);
+  }
 }
 TESSERA_INLINE void gather_triples(const float* base, Int word, Float (&out)[3]) {
   native::FloatRegister r[4];

@@ -45,7 +45,11 @@ Sums compare(const CubeLevel& level, const std::vector<std::size_t>& chosen, dou
 double seam_of(const Cube& cube, int level, const Kernels& kernels) {
   const int n = cube.size() >> level, row = n + 2;  // with borders, which hold the neighbours' edges
   std::vector<float> texels(std::size_t{6} * std::size_t(row) * std::size_t(row) * 4);
-  kernels.unpack_half(cube.texels().data() + cube_level_offset(cube.size(), level) * 4, texels.data(), texels.size());
+  for (int k = 0; k < 6 * row; ++k) {
+    const std::size_t first = cube_texel_index(cube.size(), cube.levels(), level, k / row, -1, k % row - 1);
+    const std::size_t floats = std::size_t(row) * 4;
+    kernels.unpack_half(cube.texels().data() + first * 4, texels.data() + std::size_t(k) * floats, floats);
+  }
   double across = 0, inside = 0;
   for (int face = 0; face < 6; ++face) {
     const auto texel = [&](int i, int j) {

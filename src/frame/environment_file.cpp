@@ -19,7 +19,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "environment files are written as memory has them");
 
 constexpr char magic[4] = {'T', 'S', 'R', 'A'};
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::uint32_t flag_cube = 1, flag_light = 2;
 constexpr std::uint64_t file_limit = std::uint64_t{4} << 30;  // the largest cubes there are take less
 
@@ -73,7 +73,7 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
 
 struct CubeSize {
   std::uint32_t size = 0, levels = 0;
-  [[nodiscard]] std::size_t halves() const { return size == 0 ? 0 : cube_level_offset(int(size), int(levels)) * 4; }
+  [[nodiscard]] std::size_t halves() const { return size == 0 ? 0 : cube_texel_count(int(size), int(levels)) * 4; }
 };
 
 CubeSize take_size(Reader& in, const std::string& name, const char* what, bool has_levels) {

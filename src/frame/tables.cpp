@@ -18,7 +18,7 @@ bool reads_table(const RenderSettings& settings) {
   return settings.environment_shading.albedo == EnvironmentAlbedo::table;
 }
 
-std::size_t texels_of(const CubeView& cube) { return cube_level_offset(cube.size, cube.levels); }
+std::size_t texels_of(const CubeView& cube) { return cube_texel_count(cube.size, cube.levels); }
 
 }  // namespace
 

@@ -126,19 +126,17 @@ CubeLevel halved(const CubeLevel& level) {
   return below;
 }
 
-Cube::Cube(int size, int levels) : texels_(cube_level_offset(size, levels) * 4), size_(size), levels_(levels) {
+Cube::Cube(int size, int levels) : texels_(cube_texel_count(size, levels) * 4), size_(size), levels_(levels) {
   assert(size >= 1 && size <= max_cube_size && (size & (size - 1)) == 0 && levels >= 1 && size >> (levels - 1) >= 1);
 }
 
 Cube::Cube(int size, int levels, AlignedVector<std::uint16_t> texels)
     : texels_(std::move(texels)), size_(size), levels_(levels) {
-  assert(texels_.size() == cube_level_offset(size, levels) * 4);
+  assert(texels_.size() == cube_texel_count(size, levels) * 4);
 }
 
 std::size_t Cube::offset(int level, int face, int i, int j) const {
-  const std::size_t row = std::size_t(size_ >> level) + 2;
-  const std::size_t index = (std::size_t(face) * row + std::size_t(j + 1)) * row + std::size_t(i + 1);
-  return (cube_level_offset(size_, level) + index) * 4;
+  return cube_texel_index(size_, levels_, level, face, i, j) * 4;
 }
 
 std::size_t Cube::store(int level, const CubeLevel& from, const Kernels& kernels) {

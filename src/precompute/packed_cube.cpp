@@ -8,7 +8,7 @@
 namespace tessera {
 
 PackedCube::PackedCube(const Cube& cube, const Kernels& kernels) : size_(cube.size()), levels_(cube.levels()) {
-  const std::size_t count = cube_level_offset(size_, levels_);
+  const std::size_t count = cube_texel_count(size_, levels_);
   texels_.resize(2 * count + 2);  // a lookup of a level's last texel reads the one behind it
   constexpr std::size_t piece = 4096;
   parallel_for((count + piece - 1) / piece, [&](std::size_t k) {

@@ -5,7 +5,7 @@ namespace tessera {
 namespace {
 
 std::vector<std::uint16_t> random_cube(const Kernels& kernels, Random& random, int size, int levels) {
-  const std::vector<float> texels = random.units(4 * cube_level_offset(size, levels), 0, 3);
+  const std::vector<float> texels = random.units(4 * cube_texel_count(size, levels), 0, 3);
   std::vector<std::uint16_t> halves(texels.size());
   kernels.pack_half(texels.data(), halves.data(), halves.size());
   return halves;

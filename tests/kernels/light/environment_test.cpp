@@ -57,7 +57,10 @@ class TestCube {
       for (Color& texel : levels_.back())
         for (double& value : texel) value = 3.0 * (random() % 170);
     }
-    for (int level = 0; level < int(levels_.size()); ++level) append_bordered(level);
+    const std::size_t texels = cube_texel_count(size, int(levels_.size()));
+    halves_.resize(4 * texels);
+    packed_.resize(2 * texels);
+    for (int level = 0; level < int(levels_.size()); ++level) store_bordered(level);
   }
 
   CubeView view() const { return {halves_.data(), size_, int(levels_.size())}; }
@@ -127,7 +130,7 @@ class TestCube {
     return result;
   }
 
-  void append_bordered(int level) {
+  void store_bordered(int level) {
     const int n = size_ >> level;
     for (int face = 0; face < 6; ++face) {
       for (int j = -1; j <= n; ++j) {
@@ -136,11 +139,12 @@ class TestCube {
           const int left = std::min(i, n - 1), top = std::min(j, n - 1);
           const std::array<Color, 4> taps = footprint(level, face, left, top);
           const std::size_t k = std::size_t((j - top) * 2 + (i - left));
-          for (const double value : taps[k]) halves_.push_back(half(value));
-          halves_.push_back(half(1));
+          const std::size_t at = cube_texel_index(size_, int(levels_.size()), level, face, i, j);
+          for (std::size_t c = 0; c < 3; ++c) halves_[4 * at + c] = half(taps[k][c]);
+          halves_[4 * at + 3] = half(1);
           const unsigned red = unsigned(taps[k][0]), green = unsigned(taps[k][1]), blue = unsigned(taps[k][2]);
-          packed_.push_back(std::uint16_t((red + green * 512) % 65536));
-          packed_.push_back(std::uint16_t((green / 128 + blue * 4 + 24 * 2048) % 65536));
+          packed_[2 * at] = std::uint16_t((red + green * 512) % 65536);
+          packed_[2 * at + 1] = std::uint16_t((green / 128 + blue * 4 + 24 * 2048) % 65536);
         }
       }
     }

@@ -176,7 +176,7 @@ TEST(EnvironmentLobe, SameBitsOnEveryInstructionSet) {
 
 // A cube of halves again with nine bits a channel and one exponent: the smallest that the largest channel fits under.
 std::vector<std::uint16_t> packed(const CubeView& cube) {
-  const std::size_t count = cube_level_offset(cube.size, cube.levels);
+  const std::size_t count = cube_texel_count(cube.size, cube.levels);
   std::vector<std::uint16_t> out;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint16_t* half = cube.texels + 4 * i;

@@ -117,7 +117,7 @@ reference::ShadeSurface GBuffer::surface(std::size_t i) const {
 
 Environment::Environment(int size, int levels, const std::function<Vec3(const Vec3&, int)>& radiance,
                          const double (&sh)[9][3])
-    : size_(size), levels_(levels) {
+    : size_(size), levels_(levels), texels_(cube_texel_count(size, levels) * 4) {
   for (int level = 0; level < levels; ++level) {
     const int n = size >> level;
     for (int face = 0; face < 6; ++face)
@@ -125,10 +125,10 @@ Environment::Environment(int size, int levels, const std::function<Vec3(const Ve
         for (int i = -1; i <= n; ++i) {
           const Vec3 d = face_direction(face, (2 * i + 1.0) / n - 1, (2 * j + 1.0) / n - 1);
           const Vec3 value = radiance(reference::normalize(d), level);
-          for (const double channel : {value.x, value.y, value.z, 1.0}) texels_.push_back(to_half(channel));
+          std::uint16_t* texel = &texels_[cube_texel_index(size, levels, level, face, i, j) * 4];
+          for (const double channel : {value.x, value.y, value.z, 1.0}) *texel++ = to_half(channel);
         }
   }
-  texels_.resize(texels_.size() + 8);  // a lookup may read a few bytes on
   for (int k = 0; k < 9; ++k)
     for (int c = 0; c < 3; ++c) sh_[k][c] = float(sh[k][c]);
 }
@@ -149,11 +149,7 @@ DfgView Environment::dfg() const { return {dfg_texels().data(), dfg_size}; }
 
 reference::ShadeEnvironment Environment::reference() const {
   const auto texel = [this](int level, int face, int x, int y) {
-    std::size_t index = 0;
-    for (int k = 0; k < level; ++k) index += 6 * std::size_t((size_ >> k) + 2) * ((size_ >> k) + 2);
-    const int row = (size_ >> level) + 2;
-    index += (std::size_t(face) * row + y) * row + x;
-    const std::uint16_t* t = &texels_[4 * index];
+    const std::uint16_t* t = &texels_[4 * cube_texel_index(size_, levels_, level, face, x - 1, y - 1)];
     return Vec3{half_to_float(t[0]), half_to_float(t[1]), half_to_float(t[2])};
   };
   const auto bilinear = [this, texel](const Vec3& direction, int level) {

@@ -97,9 +97,9 @@ TEST_F(EnvironmentFile, SizesAreCheckedBeforeMemoryIsAskedFor) {
   const std::uint32_t odd = 100;
   std::memcpy(bytes_.data() + 8, &odd, 4);
   EXPECT_NE(message_of(bytes_).find("power of two"), std::string::npos);
-  const std::uint32_t newer = 2;
+  const std::uint32_t newer = 3;
   std::memcpy(bytes_.data() + 4, &newer, 4);
-  EXPECT_NE(message_of(bytes_).find("version 2"), std::string::npos);
+  EXPECT_NE(message_of(bytes_).find("version 3"), std::string::npos);
 }
 
 }  // namespace

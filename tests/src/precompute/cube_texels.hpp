@@ -33,9 +33,8 @@ inline double texel_solid_angle(int i, int j, int n) {
 
 /// Channel c of a texel; i and j from -1 to the level's size.
 inline double texel_value(const CubeView& cube, int level, int face, int i, int j, int c) {
-  const std::size_t row = std::size_t(cube.size >> level) + 2;
-  const std::size_t index = (std::size_t(face) * row + std::size_t(j + 1)) * row + std::size_t(i + 1);
-  return double(half_to_float(cube.texels[(cube_level_offset(cube.size, level) + index) * 4 + std::size_t(c)]));
+  const std::size_t texel = cube_texel_index(cube.size, cube.levels, level, face, i, j);
+  return double(half_to_float(cube.texels[texel * 4 + std::size_t(c)]));
 }
 
 /// f(face, i, j) for every texel of a level.

@@ -40,7 +40,7 @@ Image sunny(int width, int height) {
 }
 
 std::vector<std::uint16_t> texels_of(const CubeView& cube) {
-  return {cube.texels, cube.texels + cube_level_offset(cube.size, cube.levels) * 4};
+  return {cube.texels, cube.texels + cube_texel_count(cube.size, cube.levels) * 4};
 }
 
 void expect_white(const EnvironmentView& view) {

@@ -37,7 +37,7 @@ TEST(PackedCube, EveryTexelIsTheNearest) {
   EXPECT_EQ(view.size, size);
   EXPECT_EQ(view.levels, levels);
   EXPECT_LE(packed.bytes(), cube.texels().size() + 4);  // half of two bytes each
-  for (std::size_t i = 0; i < cube_level_offset(size, levels); ++i) {
+  for (std::size_t i = 0; i < cube_texel_count(size, levels); ++i) {
     double expected[3], largest = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       expected[c] = double(half_to_float(halves.texels[4 * i + c]));
@@ -56,7 +56,7 @@ TEST(PackedCube, SameOnEveryInstructionSet) {
   for (std::size_t i = 0; i < level.texels.size(); ++i) level.texels[i] = float(i % 97) * 0.37f;
   cube.store(0, level, select_kernels());
   const PackedCube first(cube, *built_kernels()[0]);
-  const std::size_t words = 2 * cube_level_offset(8, 2);
+  const std::size_t words = 2 * cube_texel_count(8, 2);
   for (const Kernels* kernels : built_kernels()) {
     if (!cpu_runs(*kernels)) continue;
     const PackedCube other(cube, *kernels);

@@ -1,0 +1,184 @@
+// Shading in stages. A tile is shaded a block of fragments at a time, and each stage goes over the whole block before
+// the next begins, leaving in memory what that needs. All of a fragment's shading is a chain of over a thousand
+// instructions that mostly wait for each other, and a core looks for independent ones among the next sixty or so: in a
+// stage's short loop it finds those of the fragments that follow.
+#pragma once
+#include "kernels/interface.hpp"
+#include "kernels/light/environment.hpp"
+#include "kernels/math/vector.hpp"
+#include "kernels/shade/lights.hpp"
+#include "kernels/shade/surface.hpp"
+#include "kernels/simd.hpp"
+
+namespace tessera::TESSERA_ISA {
+namespace {
+
+inline constexpr int block_size = 8 * Float::lanes;
+static_assert(block_size % Wide::lanes == 0);
+
+/// Bilinear footprints of a block's fragments.
+struct Footprints {
+  alignas(64) std::int32_t word[block_size];  // where the upper left texel is, in words of 32 bits
+  alignas(64) float weight[4][block_size];
+
+  template <class F>
+  TESSERA_INLINE void set(int i, const BilinearFootprint<F>& f) {
+    store(word + i, f.above << 1);  // all tables have entries of two words
+    store(weight[0] + i, f.w00);
+    store(weight[1] + i, f.w01);
+    store(weight[2] + i, f.w10);
+    store(weight[3] + i, f.w11);
+  }
+  /// The texels themselves: two in the footprint's upper row, two in the lower one.
+  TESSERA_INLINE void gather(int i, const void* table, int pitch, Float (&above)[4], Float (&below)[4]) const {
+    gather_quads(static_cast<const float*>(table), word + i, 2 * std::ptrdiff_t{pitch}, above, below);
+  }
+  TESSERA_INLINE BilinearFootprint<Float> weights(int i) const {
+    BilinearFootprint<Float> f;
+    f.w00 = load<Float>(weight[0] + i);
+    f.w01 = load<Float>(weight[1] + i);
+    f.w10 = load<Float>(weight[2] + i);
+    f.w11 = load<Float>(weight[3] + i);
+    return f;
+  }
+};
+
+/// Some fragments of a tile on their way through the stages.
+struct Block {
+  std::uint32_t first;  // of the tile's fragments
+  int count;            // a multiple of Wide::lanes; there may be fewer fragments in the last lanes
+
+  // What each stage leaves.
+  alignas(64) float v[3][block_size], nv[block_size];  // towards the eye, unit; n.v
+  alignas(64) std::int32_t cube_face[block_size];      // CubePoint
+  alignas(64) float cube_s[block_size], cube_t[block_size];
+  Footprints dfg, cube_fine, cube_coarse;
+  alignas(64) float A[block_size], B[block_size];  // EnvironmentBRDF
+  alignas(64) float mirrored[3][block_size];       // prefiltered radiance along the mirror direction
+};
+
+template <class F>
+TESSERA_INLINE Vec3<F> load_vector(const float (&planes)[3][block_size], int i) {
+  return {load<F>(planes[0] + i), load<F>(planes[1] + i), load<F>(planes[2] + i)};
+}
+template <class F>
+TESSERA_INLINE void store_vector(float (&planes)[3][block_size], int i, const Vec3<F>& x) {
+  store(planes[0] + i, x.x);
+  store(planes[1] + i, x.y);
+  store(planes[2] + i, x.z);
+}
+
+/// Towards the eye; and, if asked for, where the mirror direction meets the cube.
+template <bool mirror, class F>
+[[gnu::noinline]] void find_directions(const ShadeArgs& args, Block& block) {
+  const GBufferView g = args.gbuffer;
+  const float eye[4] = {args.eye[0], args.eye[1], args.eye[2], args.eye[3]};
+  const CubeView& cube = args.environment.specular;
+  const int faces = mirror ? cube_face_texels(cube.size, cube.levels) : 0;
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const std::uint32_t at = block.first + std::uint32_t(i);
+    const Vec3<F> n = load_normal<F>(g, at), eyewards = to_eye(load_position<F>(g, at), eye);
+    const Vec3<F> v = normalize(eyewards);
+    store_vector(block.v, i, v);
+    store(block.nv + i, dot(n, v));
+    if constexpr (mirror) {
+      // Of any length: this does not wait for v.
+      const F along_n = dot(n, eyewards);
+      const CubePoint<F> point = cube_point(n * (along_n + along_n) - eyewards, faces);
+      store(block.cube_face + i, point.face);
+      store(block.cube_s + i, point.s);
+      store(block.cube_t + i, point.t);
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------- environment
+
+template <class F>
+[[gnu::noinline]] void find_dfg_footprints(const ShadeArgs& args, Block& block) {
+  const float* const roughness = args.gbuffer.roughness;
+  const DfgView dfg = args.dfg;
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const F NoV = clamp_NoV(load<F>(block.nv + i));
+    const F r = load_clamped<F>(roughness, block.first + std::uint32_t(i), 0, 1);
+    block.dfg.set(i, dfg_footprint(dfg, NoV, r));
+  }
+}
+
+template <class F>
+[[gnu::noinline]] void find_cube_footprints(const ShadeArgs& args, Block& block) {
+  const float* const roughness = args.gbuffer.roughness;
+  const CubeView cube = args.environment.specular;
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const CubePoint<F> point = {load_int<IntOf<F>>(block.cube_face + i), load<F>(block.cube_s + i),
+                                load<F>(block.cube_t + i)};
+    const F r = load_clamped<F>(roughness, block.first + std::uint32_t(i), 0, 1);
+    const CubeLookup<F> lookup = cube_lookup<HalfTexels>(cube, point, r * F(cube.levels - 1));
+    block.cube_fine.set(i, lookup.fine);
+    block.cube_coarse.set(i, lookup.coarse);
+  }
+}
+
+[[gnu::noinline]] inline void read_dfg(const ShadeArgs& args, Block& block) {
+  const DfgView dfg = args.dfg;
+  for (int i = 0; i < block.count; i += Float::lanes) {
+    Float above[4], below[4];
+    block.dfg.gather(i, dfg.texels, dfg.size, above, below);
+    const Float NoV = clamp_NoV(load<Float>(block.nv + i));
+    const EnvironmentBRDF<Float> brdf = blend(dfg, NoV, block.dfg.weights(i), dfg_texels(above), dfg_texels(below));
+    store(block.A + i, brdf.A);
+    store(block.B + i, brdf.B);
+  }
+}
+
+[[gnu::noinline]] inline void read_cube(const ShadeArgs& args, Block& block) {
+  const std::uint16_t* const texels = args.environment.specular.texels;
+  const int pitch = cube_pitch(args.environment.specular.size, args.environment.specular.levels);
+  for (int i = 0; i < block.count; i += Float::lanes) {
+    Float above[4], below[4];
+    block.cube_fine.gather(i, texels, pitch, above, below);
+    const Vec3<Float> fine = blend(block.cube_fine.weights(i), decode_texels(above), decode_texels(below));
+    block.cube_coarse.gather(i, texels, pitch, above, below);
+    const Vec3<Float> coarse = blend(block.cube_coarse.weights(i), decode_texels(above), decode_texels(below));
+    store_vector(block.mirrored, i, fine + coarse);
+  }
+}
+
+// -------------------------------------------------------------------------------------------------------- lights
+
+/// The planes that every surface is read from.
+TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
+  for (int k = 0; k < 3; ++k) {
+    prefetch(g.position[k] + i);
+    prefetch(g.normal[k] + i);
+    prefetch(g.base_color[k] + i);
+  }
+  prefetch(g.metallic + i);
+  prefetch(g.roughness + i);
+  prefetch(g.occlusion + i);
+}
+
+/// Leaves the radiance of punctual lights in ShadeArgs::radiance.
+template <class F>
+[[gnu::noinline]] void shade_lights(const ShadeArgs& args, std::uint32_t light_count, const Block& block) {
+  const GBufferView g = args.gbuffer;
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const std::uint32_t at = block.first + std::uint32_t(i);
+    LitPoint<F> p;
+    p.position = load_position<F>(g, at);
+    p.n = load_normal<F>(g, at);
+    const Vec3<F> v = load_vector<F>(block.v, i);
+    p.nv = load<F>(block.nv + i);
+    p.v_tangential = {neg_mul_add(p.n.x, p.nv, v.x), neg_mul_add(p.n.y, p.nv, v.y), neg_mul_add(p.n.z, p.nv, v.z)};
+    const F r = max(load_roughness<F>(g, at), F(min_punctual_roughness));
+    p.lobe = ggx_lobe(clamp_NoV(p.nv), r * r);
+    const LightSums<F> sums = sum_lights(p, args.lights, args.light_list, light_count);
+    const Vec3<F> radiance = reflect_lights(sums, load_reflectance<F>(g, at));
+    store(args.radiance[0] + at, radiance.x);
+    store(args.radiance[1] + at, radiance.y);
+    store(args.radiance[2] + at, radiance.z);
+  }
+}
+
+}  // namespace
+}  // namespace tessera::TESSERA_ISA
