@@ -82,7 +82,6 @@ void store_pixels(const StorePixelsArgs& args) {
       }
     }
   }
-  if (lines) end_streaming();
 }
 
 }  // namespace tessera::TESSERA_ISA

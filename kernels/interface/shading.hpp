@@ -147,7 +147,7 @@ struct CullLightsArgs {
 struct StorePixelsArgs {     // opaque radiance -> pixels of a film
   const float* radiance[3];  // in blocks of 4 x 4 as in a tile, but width / 4 blocks in a row
   int width, height;         // width: a multiple of 4
-  float* rgba;               // of the first pixel; alpha becomes 1
+  float* rgba;               // of the first pixel; alpha becomes 1. Other threads see it after end_streaming()
   std::size_t row_stride;    // in floats
 };
 

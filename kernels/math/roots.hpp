@@ -15,7 +15,8 @@ TESSERA_INLINE F reciprocal_sqrt(F x) {
   const F h = neg_mul_add(x * y, y, F(1));
   y = mul_add(y * h, mul_add(h, F(0.375), F(0.5)), y);
   const F rest = neg_mul_add(x * y, y, F(1));
-  return mul_add(y * F(0.5), rest, y);
+  const F half = from_bits(bits(y) - IntOf<F>(1 << 23));
+  return mul_add(half, rest, y);
 }
 TESSERA_INLINE double reciprocal_sqrt(double x) { return 1 / __builtin_sqrt(x); }
 

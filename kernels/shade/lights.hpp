@@ -34,7 +34,7 @@ template <LightKind kind, class F>
 TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, LightSums<F>& sums) {
   const Reach<F> reach = light_reach<kind>(light, p.position);
   const F nd = dot(p.n, reach.d);
-  if (!any((nd > F(0)) & (reach.window > F(0)))) return;  // behind, or out of range: every lane would add +0
+  if (!any(min(nd, reach.window) > F(0))) return;  // behind, or out of range: every lane would add +0
 
   const Incident<F> in = incident_light<kind>(light, reach);
   const F nl = nd * in.inverse_length;
@@ -52,9 +52,15 @@ TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, Ligh
   // |l + v| = 2 cos of half the angle between them.
   const F weight = pow5(neg_mul_add(F(0.5), sqrt(H2), F(1)));
   const F strength = NoL * in.strength;
-  const F inverse = F(1) / (is_plus_one(kind) ? dv.denominator * in.divisor : dv.denominator);
-  const F diffuse = strength * (dv.denominator * inverse);
-  const F specular = strength * (dv.numerator * inverse);
+  F diffuse, specular;
+  if constexpr (is_plus_one(kind)) {
+    const F quotient = strength / (dv.denominator * in.divisor);  // strength is at most 1: no overflow
+    diffuse = quotient * dv.denominator;
+    specular = quotient * dv.numerator;
+  } else {
+    diffuse = strength;
+    specular = strength * (dv.numerator / dv.denominator);
+  }
   const F diffuse_part = neg_mul_add(diffuse, weight, diffuse), grazing_part = specular * weight;
   const Vec3<F> color = broadcast<F>(light.color);
   const auto add = [&](Vec3<F>& sum, F part) {

@@ -13,7 +13,7 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-inline constexpr int block_size = 8 * Float::lanes;
+inline constexpr int block_size = 64;
 static_assert(block_size % Wide::lanes == 0);
 
 /// Bilinear footprints of a block's fragments.
@@ -32,6 +32,15 @@ struct Footprints {
   /// The texels themselves: two in the footprint's upper row, two in the lower one.
   TESSERA_INLINE void gather(int i, const void* table, int pitch, Float (&above)[4], Float (&below)[4]) const {
     gather_quads(static_cast<const float*>(table), word + i, 2 * std::ptrdiff_t{pitch}, above, below);
+  }
+  /// Asks for the texels of the lanes from i on.
+  TESSERA_INLINE void prefetch(int i, int lanes, const void* table, int pitch) const {
+    const float* const above = static_cast<const float*>(table);
+    const float* const below = above + 2 * std::ptrdiff_t{pitch};
+    for (int k = i; k < i + lanes; ++k) {
+      tessera::TESSERA_ISA::prefetch(above + word[k]);
+      tessera::TESSERA_ISA::prefetch(below + word[k]);
+    }
   }
   TESSERA_INLINE BilinearFootprint<Float> weights(int i) const {
     BilinearFootprint<Float> f;
@@ -158,10 +167,11 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
   prefetch(g.occlusion + i);
 }
 
-/// Leaves the radiance of punctual lights in ShadeArgs::radiance.
-template <class F>
+/// Leaves the radiance of punctual lights in ShadeArgs::radiance. mirror: the cube will be read after this.
+template <bool mirror, class F>
 [[gnu::noinline]] void shade_lights(const ShadeArgs& args, std::uint32_t light_count, const Block& block) {
   const GBufferView g = args.gbuffer;
+  const CubeView cube = args.environment.specular;
   for (int i = 0; i < block.count; i += F::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
     LitPoint<F> p;
@@ -172,6 +182,10 @@ template <class F>
     p.v_tangential = {neg_mul_add(p.n.x, p.nv, v.x), neg_mul_add(p.n.y, p.nv, v.y), neg_mul_add(p.n.z, p.nv, v.z)};
     const F r = max(load_roughness<F>(g, at), F(min_punctual_roughness));
     p.lobe = ggx_lobe(clamp_NoV(p.nv), r * r);
+    // Of the stages, this one leaves the load ports idle; texels of the finer level mostly come from far away. Where
+    // two vectors go side by side, they find the time to wait, and this would only cost.
+    if constexpr (mirror && F::lanes == Float::lanes)
+      block.cube_fine.prefetch(i, F::lanes, cube.texels, cube_pitch(cube.size, cube.levels));
     const LightSums<F> sums = sum_lights(p, args.lights, args.light_list, light_count);
     const Vec3<F> radiance = reflect_lights(sums, load_reflectance<F>(g, at));
     store(args.radiance[0] + at, radiance.x);

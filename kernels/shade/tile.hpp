@@ -83,13 +83,10 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
       find_dfg_footprints<Wide>(args, block);
       find_cube_footprints<Wide>(args, block);
       read_dfg(args, block);
-      read_cube(args, block);
     }
-    if constexpr (lights) shade_lights<Wide>(args, light_count, block);
-    if constexpr (mirror)
-      finish<Features, plain, Wide>(args, block);
-    else
-      finish<Features, plain, Float>(args, block);
+    if constexpr (lights) shade_lights<mirror, Wide>(args, light_count, block);
+    if constexpr (mirror) read_cube(args, block);
+    finish<Features, plain, Wide>(args, block);
   }
 }
 

@@ -217,7 +217,6 @@ TESSERA_INLINE void stream_quads(float* p, std::size_t row_stride, const __m256 
   transpose_quads(mixed[0], mixed[1], mixed[2], mixed[3], record);
   for (int i = 0; i < 4; ++i) _mm256_stream_ps(p + row_stride * std::size_t(i / 2) + i % 2 * 8, record[i]);
 }
-TESSERA_INLINE void end_streaming() { _mm_sfence(); }
 TESSERA_INLINE void scatter_quads(float* p, int stride, const __m256 (&in)[4]) {
   __m256 record[4];
   transpose_quads(in[0], in[1], in[2], in[3], record);

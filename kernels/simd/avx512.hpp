@@ -161,7 +161,6 @@ TESSERA_INLINE void stream_quads(float* p, std::size_t row_stride, const __m512 
   transpose_quads(swap_quarters(in[0]), swap_quarters(in[1]), swap_quarters(in[2]), swap_quarters(in[3]), record);
   for (int i = 0; i < 4; ++i) _mm512_stream_ps(p + row_stride * std::size_t(i), record[i]);
 }
-TESSERA_INLINE void end_streaming() { _mm_sfence(); }
 TESSERA_INLINE void scatter_quads(float* p, int stride, const __m512 (&in)[4]) {
   __m512 record[4];
   transpose_quads(in[0], in[1], in[2], in[3], record);

@@ -183,7 +183,6 @@ TESSERA_INLINE void store_quads(float* p, std::size_t, const float32x4_t (&in)[4
   vst4q_f32(p, records);
 }
 TESSERA_INLINE void stream_quads(float* p, std::size_t, const float32x4_t (&in)[4]) { store_quads(p, 0, in); }
-TESSERA_INLINE void end_streaming() {}
 TESSERA_INLINE void scatter_quads(float* p, int stride, const float32x4_t (&in)[4]) {
   float32x4_t record[4];
   transpose_quads(in[0], in[1], in[2], in[3], record);

@@ -270,7 +270,6 @@ TESSERA_INLINE void stream_quads(float* p, std::size_t, const __m128 (&in)[4]) {
   transpose_quads(in[0], in[1], in[2], in[3], record);
   for (int i = 0; i < 4; ++i) _mm_stream_ps(p + 4 * i, record[i]);
 }
-TESSERA_INLINE void end_streaming() { _mm_sfence(); }
 TESSERA_INLINE void scatter_quads(float* p, int stride, const __m128 (&in)[4]) {
   __m128 record[4];
   transpose_quads(in[0], in[1], in[2], in[3], record);

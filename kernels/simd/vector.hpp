@@ -238,13 +238,12 @@ TESSERA_INLINE void scatter_quads(float* p, int stride, const Float (&in)[4]) {
   const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
   native::scatter_quads(p, stride, r);
 }
-// Past the caches, where the machine can; p and rows on multiples of 64 bytes. end_streaming() before another thread
-// reads.
+// Past the caches, where the machine can; p and rows on multiples of 64 bytes. Other threads see it only after
+// end_streaming() of src/base.
 TESSERA_INLINE void stream_quads(float* p, std::size_t row_stride, const Float (&in)[4]) {
   const native::FloatRegister r[4] = {in[0].raw(), in[1].raw(), in[2].raw(), in[3].raw()};
   native::stream_quads(p, row_stride, r);
 }
-TESSERA_INLINE void end_streaming() { native::end_streaming(); }
 TESSERA_INLINE IntPair load_pairs(const void* p) {
   native::IntRegister low, high;
   native::load_pairs(static_cast<const std::int32_t*>(p), low, high);

@@ -13,6 +13,8 @@
 #include <cfenv>
 #include <memory>
 
+#include "base/stream_copy.hpp"
+
 namespace tessera {
 namespace {
 
@@ -65,6 +67,7 @@ void parallel_detail::loop(std::size_t count, void (*body)(const void*, std::siz
       [&](const tbb::blocked_range<std::size_t>& range) {
         const DefaultFloatEnvironment environment;
         for (std::size_t i = range.begin(); i != range.end(); ++i) body(context, i);
+        end_streaming();
       },
       tbb::simple_partitioner());
 }

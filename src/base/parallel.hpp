@@ -17,7 +17,8 @@ void run_with_threads(int threads, const Work& work) {
 }
 
 /// body(i) for i in [0, count), in any order, on any thread. Each body runs with the default floating-point environment
-/// (round to nearest, denormals kept), whatever a shared library did to the process.
+/// (round to nearest, denormals kept), whatever a shared library did to the process. What bodies have stored, past the
+/// caches too, is there for all after the loop.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
   parallel_detail::loop(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/stream_copy.hpp"
 
 namespace tessera {
 namespace {
@@ -50,6 +51,7 @@ void parallel_detail::loop(std::size_t count, void (*body)(const void*, std::siz
     inside_loop = true;
     try {
       for (std::size_t i = next++; i < count; i = next++) body(context, i);
+      end_streaming();
     } catch (...) {
       const std::lock_guard lock(failure_lock);
       if (!failure) failure = std::current_exception();

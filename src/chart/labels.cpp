@@ -14,6 +14,10 @@ constexpr double pi = 3.14159265358979;
 
 double side(const Segment& s, double x, double y) { return (s.x1 - s.x0) * (y - s.y0) - (s.y1 - s.y0) * (x - s.x0); }
 
+bool cross(const Segment& a, const Segment& b) {
+  return side(a, b.x0, b.y0) * side(a, b.x1, b.y1) < 0 && side(b, a.x0, a.y0) * side(b, a.x1, a.y1) < 0;
+}
+
 struct Candidate {
   Rect box;
   Segment line;
@@ -47,7 +51,9 @@ struct Placement {
       const bool own = rect.x0 <= of.x && of.x <= rect.x1 && rect.y0 <= of.y && of.y <= rect.y1;
       if (c.distance > leader_from && !own && crosses(c.line, rect)) return false;
     }
-    return std::none_of(leaders.begin(), leaders.end(), [&](const Segment& s) { return crosses(s, c.box); });
+    return std::none_of(leaders.begin(), leaders.end(), [&](const Segment& s) {
+      return crosses(s, c.box) || (c.distance > leader_from && cross(s, c.line));
+    });
   }
 };
 

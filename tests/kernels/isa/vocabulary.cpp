@@ -216,7 +216,6 @@ const VocabularyTable vocabulary = {
     },
     [](const float* in, std::size_t row_stride, float* out) {
       stream_quads(out, row_stride, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
-      end_streaming();
     },
     [](const float* in, int stride, float* out) {
       scatter_quads(out, stride, {load_word(in, 0), load_word(in, 1), load_word(in, 2), load_word(in, 3)});
