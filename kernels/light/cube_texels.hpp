@@ -95,25 +95,5 @@ inline TexelPair<double> cube_texels<double>(Rgb9e5Texels, const CubeView& cube,
   return rgb9e5_scalar<double>(cube, index);
 }
 
-// --------------------------------------------------------------------------------------------------- two vectors
-
-template <class Texels>
-TESSERA_INLINE TexelPair<Pair<Float>> texels_of_both(Texels format, const CubeView& cube, const Pair<Int>& index) {
-  const TexelPair<Float> a = cube_texels<Float>(format, cube, index.first);
-  const TexelPair<Float> b = cube_texels<Float>(format, cube, index.second);
-  const auto both = [](const Vec3<Float>& x, const Vec3<Float>& y) -> Vec3<Pair<Float>> {
-    return {{x.x, y.x}, {x.y, y.y}, {x.z, y.z}};
-  };
-  return {both(a.left, b.left), both(a.right, b.right)};
-}
-template <>
-inline TexelPair<Pair<Float>> cube_texels<Pair<Float>>(HalfTexels format, const CubeView& cube, Pair<Int> index) {
-  return texels_of_both(format, cube, index);
-}
-template <>
-inline TexelPair<Pair<Float>> cube_texels<Pair<Float>>(Rgb9e5Texels format, const CubeView& cube, Pair<Int> index) {
-  return texels_of_both(format, cube, index);
-}
-
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

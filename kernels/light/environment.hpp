@@ -191,12 +191,6 @@ inline DfgTexels<double> dfg_texels<double>(const DfgView& dfg, std::int64_t ind
   return {double(t[0]), double(t[1]), double(t[2]), double(t[3])};
 }
 
-template <>
-inline DfgTexels<Pair<Float>> dfg_texels<Pair<Float>>(const DfgView& dfg, Pair<Int> index) {
-  const DfgTexels<Float> a = dfg_texels<Float>(dfg, index.first), b = dfg_texels<Float>(dfg, index.second);
-  return {{a.A0, b.A0}, {a.B0, b.B0}, {a.A1, b.A1}, {a.B1, b.B1}};
-}
-
 /// NoV and r (perceptual) in [0, 1]; bilinear, clamped to the table's edge.
 template <class F>
 TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {

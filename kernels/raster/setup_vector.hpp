@@ -63,59 +63,55 @@ TESSERA_INLINE Mask has_sample(const Int (&vx)[3], const Int (&vy)[3], const Box
   return found & wanted;
 }
 
-/// Which of the lanes' bindings keep back faces; a run of triangles usually has one binding.
-TESSERA_INLINE std::uint32_t double_sided_lanes(const std::uint8_t* double_sided, const Triangle* triangles,
-                                                std::uint32_t lanes) {
+/// Which of the lanes, which are of these triangles, have bindings that keep back faces. A run of triangles usually has
+/// one binding.
+TESSERA_INLINE Mask double_sided_lanes(const std::uint8_t* double_sided, const Triangle* triangles, Int binding,
+                                       Mask lanes) {
+  const std::uint32_t wanted = to_bits(lanes);
+  if (wanted == 0) return lanes;
+  const std::uint32_t one = triangles[__builtin_ctz(wanted)].binding;
+  if (all((binding == Int(one)) | !lanes)) return double_sided[one] != 0 ? lanes : Mask(false);
   std::uint32_t out = 0;
-  for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+  for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
     const int i = __builtin_ctz(left);
     out |= std::uint32_t(double_sided[triangles[i].binding] != 0) << i;
   }
-  return out;
+  return from_mask_bits(out);
 }
 
-/// Writes the set-up of the lanes of `kept`; lanes of `turned` are back faces.
-struct SetupLanes {
-  SetupTriangle lane[Int::lanes];
+/// Set-up of all lanes, record by record of twelve words: put() takes them in three parts of four. Lanes of `turned`
+/// are back faces.
+template <class Put>
+TESSERA_INLINE void setup_lanes(const VectorTriangles& t, Mask turned, Int area, Int triangle, const Put& put) {
+  const Int bx = select(turned, t.x[2], t.x[1]), cx = select(turned, t.x[1], t.x[2]);
+  const Int by = select(turned, t.y[2], t.y[1]), cy = select(turned, t.y[1], t.y[2]);
+  const Float b_depth = select(turned, t.depth[2], t.depth[1]), c_depth = select(turned, t.depth[1], t.depth[2]);
+  const Float a_depth = t.depth[0];
+  const DepthSlope<Float> slope =
+      depth_slope(to_float(bx - t.x[0]), to_float(by - t.y[0]), b_depth - a_depth, to_float(cx - t.x[0]),
+                  to_float(cy - t.y[0]), c_depth - a_depth, to_float(select(turned, -area, area)));
+  const Float low = min(min(a_depth, b_depth), c_depth), high = max(max(a_depth, b_depth), c_depth);
+  put(0, {from_bits(t.x[0]), from_bits(bx), from_bits(cx), from_bits(t.y[0])});
+  put(1, {from_bits(by), from_bits(cy), a_depth, slope.dx});
+  put(2, {slope.dy, low, high, from_bits(triangle)});
+}
 
-  TESSERA_INLINE void fill(const VectorTriangles& t, Mask turned, Int area, Int triangle) {
-    const Int bx = select(turned, t.x[2], t.x[1]), cx = select(turned, t.x[1], t.x[2]);
-    const Int by = select(turned, t.y[2], t.y[1]), cy = select(turned, t.y[1], t.y[2]);
-    const Float b_depth = select(turned, t.depth[2], t.depth[1]), c_depth = select(turned, t.depth[1], t.depth[2]);
-    const Float a_depth = t.depth[0];
-    const DepthSlope<Float> slope =
-        depth_slope(to_float(bx - t.x[0]), to_float(by - t.y[0]), b_depth - a_depth, to_float(cx - t.x[0]),
-                    to_float(cy - t.y[0]), c_depth - a_depth, to_float(select(turned, -area, area)));
-    const Float low = min(min(a_depth, b_depth), c_depth), high = max(max(a_depth, b_depth), c_depth);
-    // Records of 12 words in three parts of four.
-    store_parts(0, {from_bits(t.x[0]), from_bits(bx), from_bits(cx), from_bits(t.y[0])});
-    store_parts(1, {from_bits(by), from_bits(cy), a_depth, slope.dx});
-    store_parts(2, {slope.dy, low, high, from_bits(triangle)});
-  }
-
- private:
-  TESSERA_INLINE void store_parts(int part, const Float (&words)[4]) {
-    scatter_quads(reinterpret_cast<float*>(lane) + 4 * part, 12, words);
-  }
-};
-
-/// TouchedBox of each lane, as touched_box().
+/// TouchedBox of each lane, as touched_box(): its two words.
 struct TouchedLanes {
-  TouchedBox lane[Int::lanes];
-
-  TESSERA_INLINE void fill(const BoxLanes& box, const SampleExtent& extent, const ViewTransform& view) {
-    const auto tile = [](Int pixel, int size) {
-      static_assert(tile_size == 1 << 5);
-      return clamp(pixel, Int(0), Int(size - 1)) >> 5;
-    };
-    const Int x0 = tile((box.x_min + Int(255 - extent.x_max)) >> subpixel_bits, view.width);
-    const Int x1 = tile((box.x_max - Int(extent.x_min + 1)) >> subpixel_bits, view.width);
-    const Int y0 = tile((box.y_min + Int(255 - extent.y_max)) >> subpixel_bits, view.height);
-    const Int y1 = tile((box.y_max - Int(extent.y_min + 1)) >> subpixel_bits, view.height);
-    static_assert(sizeof(TouchedBox) == 8);
-    store_pairs(lane, x0 | (x1 << 16), y0 | (y1 << 16));
-  }
+  Int first, last;
 };
+TESSERA_INLINE TouchedLanes touched_lanes(const BoxLanes& box, const SampleExtent& extent, const ViewTransform& view) {
+  const auto tile = [](Int pixel, int size) {
+    static_assert(tile_size == 1 << 5);
+    return clamp(pixel, Int(0), Int(size - 1)) >> 5;
+  };
+  const Int x0 = tile((box.x_min + Int(255 - extent.x_max)) >> subpixel_bits, view.width);
+  const Int x1 = tile((box.x_max - Int(extent.x_min + 1)) >> subpixel_bits, view.width);
+  const Int y0 = tile((box.y_min + Int(255 - extent.y_max)) >> subpixel_bits, view.height);
+  const Int y1 = tile((box.y_max - Int(extent.y_min + 1)) >> subpixel_bits, view.height);
+  static_assert(sizeof(TouchedBox) == 8);
+  return {x0 | (x1 << 16), y0 | (y1 << 16)};
+}
 
 /// setup_one() of triangle `index`, behind what is written already.
 inline std::uint32_t setup_one_more(const SetupTrianglesArgs& args, const SamplePattern& pattern,
@@ -165,7 +161,7 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
   const Mask here = candidates & fits;
   const Int area = (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]) - (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]);  // as twice_area()
   const Mask negative = here & (area < Int(0));
-  const Mask turned = from_mask_bits(double_sided_lanes(args.double_sided, triangles, to_bits(negative)));
+  const Mask turned = double_sided_lanes(args.double_sided, triangles, bits(record[3]), negative);
   const Mask culled = negative & !turned;
   const Mask facing = here & !culled;
   const Int in_order_x[3] = {t.x[0], select(turned, t.x[2], t.x[1]), select(turned, t.x[1], t.x[2])};
@@ -178,18 +174,39 @@ TESSERA_INLINE std::uint32_t setup_vector(const SetupTrianglesArgs& args, const 
   counters.empty += std::uint64_t(__builtin_popcount(to_bits(facing))) - kept_count;
   counters.kept += kept_count;
 
-  SetupLanes lanes;
-  TouchedLanes touched;
+  const std::uint32_t others = to_bits(candidates & !fits);
+  const BoxLanes box = {x_min, x_max, y_min, y_max};
+  if (others == 0 && count == Int::lanes) {
+    // Straight to their places; what lies behind the last of them has room.
+    if (kept_lanes == 0) return 0;
+    setup_lanes(t, turned, area, Int(first) + lane_index(), [&](int part, const Float(&words)[4]) {
+      const Float dense[4] = {compress(words[0], kept), compress(words[1], kept), compress(words[2], kept),
+                              compress(words[3], kept)};
+      scatter_quads(reinterpret_cast<float*>(args.out + before) + 4 * part, 12, dense);
+    });
+    if (args.touched != nullptr) {
+      const TouchedLanes touched = touched_lanes(box, extent, args.view);
+      store_pairs(args.touched + before, bits(compress(from_bits(touched.first), kept)),
+                  bits(compress(from_bits(touched.last), kept)));
+    }
+    return static_cast<std::uint32_t>(kept_count);
+  }
+
+  SetupTriangle setup[Int::lanes];
+  TouchedBox touched_box_of[Int::lanes];
   if (kept_lanes != 0) {
-    lanes.fill(t, turned, area, Int(first) + lane_index());
-    touched.fill({x_min, x_max, y_min, y_max}, extent, args.view);
+    setup_lanes(t, turned, area, Int(first) + lane_index(), [&](int part, const Float(&words)[4]) {
+      scatter_quads(reinterpret_cast<float*>(setup) + 4 * part, 12, words);
+    });
+    const TouchedLanes touched = touched_lanes(box, extent, args.view);
+    store_pairs(touched_box_of, touched.first, touched.last);
   }
   std::uint32_t written = before;
-  for (std::uint32_t left = kept_lanes | to_bits(candidates & !fits); left != 0; left &= left - 1) {
+  for (std::uint32_t left = kept_lanes | others; left != 0; left &= left - 1) {
     const int i = __builtin_ctz(left);
     if ((kept_lanes >> i & 1) != 0) {
-      if (args.touched != nullptr) args.touched[written] = touched.lane[i];
-      args.out[written++] = lanes.lane[i];
+      if (args.touched != nullptr) args.touched[written] = touched_box_of[i];
+      args.out[written++] = setup[i];
     } else {
       written += setup_one_more(args, pattern, extent, first + std::uint32_t(i), written);
     }

@@ -29,11 +29,6 @@ TESSERA_INLINE F specular_occlusion(F NoV, F occlusion, F alpha) {
   return saturate(pow(NoV + occlusion, exponent) - F(1) + occlusion);
 }
 
-TESSERA_INLINE Pair<Float> specular_occlusion(Pair<Float> NoV, Pair<Float> occlusion, Pair<Float> alpha) {
-  return {specular_occlusion(NoV.first, occlusion.first, alpha.first),
-          specular_occlusion(NoV.second, occlusion.second, alpha.second)};
-}
-
 /// Mean radiance over the specular lobe.
 template <class Texels, class F>
 TESSERA_INLINE Vec3<F> sample_lobe(const ShadingPoint<F>& p, const EnvironmentView& environment, EnvironmentLobe lobe) {

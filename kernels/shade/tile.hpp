@@ -85,8 +85,12 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
       read_dfg(args, block);
     }
     if constexpr (lights) shade_lights<mirror, Wide>(args, light_count, block);
-    if constexpr (mirror) read_cube(args, block);
-    finish<Features, plain, Wide>(args, block);
+    if constexpr (mirror) {
+      read_cube(args, block);
+      finish<Features, plain, Wide>(args, block);
+    } else {
+      finish<Features, plain, Float>(args, block);  // of the environment's options, two vectors would not fit
+    }
   }
 }
 

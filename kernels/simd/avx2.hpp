@@ -98,11 +98,13 @@ struct CompressTable {
 };
 constexpr CompressTable compress_table;
 
+TESSERA_INLINE __m256 compress(__m256 x, __m256 m) {
+  const __m128i packed = _mm_cvtsi64_si128(static_cast<long long>(compress_table.lanes[mask_bits(m)]));
+  return _mm256_permutevar8x32_ps(x, _mm256_cvtepu8_epi32(packed));
+}
 TESSERA_INLINE int compress_store(std::int32_t* p, __m256i x, __m256 m) {
-  const std::uint32_t set = mask_bits(m);
-  const int count = __builtin_popcount(set);
-  const __m128i packed = _mm_cvtsi64_si128(static_cast<long long>(compress_table.lanes[set]));
-  const __m256i front = _mm256_permutevar8x32_epi32(x, _mm256_cvtepu8_epi32(packed));
+  const int count = __builtin_popcount(mask_bits(m));
+  const __m256i front = _mm256_castps_si256(compress(_mm256_castsi256_ps(x), m));
   _mm256_maskstore_epi32(p, _mm256_castps_si256(mask_from_bits((1u << count) - 1)), front);
   return count;
 }

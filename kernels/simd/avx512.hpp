@@ -80,6 +80,7 @@ TESSERA_INLINE __mmask16 mask_to_int(__mmask16 m) { return m; }
 
 TESSERA_INLINE void store_masked(float* p, __m512 x, __mmask16 m) { _mm512_mask_storeu_ps(p, m, x); }
 TESSERA_INLINE void store_masked(std::int32_t* p, __m512i x, __mmask16 m) { _mm512_mask_storeu_epi32(p, m, x); }
+TESSERA_INLINE __m512 compress(__m512 x, __mmask16 m) { return _mm512_maskz_compress_ps(m, x); }
 TESSERA_INLINE int compress_store(std::int32_t* p, __m512i x, __mmask16 m) {
   const int count = __builtin_popcount(mask_bits(m));
   // Compressing into a register first: the instruction that compresses to memory is microcoded on Zen 4.

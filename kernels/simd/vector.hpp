@@ -132,6 +132,8 @@ TESSERA_INLINE void store_masked(std::int32_t* p, Int x, Mask m) { native::store
 // address.
 TESSERA_INLINE void prefetch(const float* p) { __builtin_prefetch(p, 0, 2); }
 
+// The lanes in the mask, one after another from lane 0 on; what is behind them may be anything.
+TESSERA_INLINE Float compress(Float x, Mask m) { return make_float(native::compress(x.raw(), m.raw())); }
 // Writes the lanes in the mask one after another, nothing beyond them, and says how many.
 TESSERA_INLINE int compress_store(std::int32_t* out, Int x, Mask m) {
   return native::compress_store(out, x.raw(), m.raw());

@@ -347,19 +347,22 @@ TEST_P(Simd, Gathers) {
 TEST_P(Simd, MaskedStoresTouchNothingElse) {
   const VocabularyTable& v = *GetParam();
   for (Bits set = 0; set < Bits{1} << v.lanes; ++set) {
-    float in[max_lanes], out[max_lanes];
+    float in[max_lanes], out[max_lanes], dense[max_lanes];
     std::int32_t in_int[max_lanes], out_int[max_lanes], packed[max_lanes + 1];
     for (int i = 0; i < max_lanes; ++i)
       in[i] = float(100 + i), in_int[i] = 200 + i, out[i] = -1, out_int[i] = -1, packed[i] = -1;
     v.store_float_masked(in, set, out);
     v.store_int_masked(in_int, set, out_int);
     const int count = v.compress_store(in_int, set, packed);
+    v.compress(in, set, dense);
     int next = 0;
     bool good = true;
     for (int i = 0; i < v.lanes; ++i) {
       const bool active = set >> i & 1;
       good &= out[i] == (active ? in[i] : -1) && out_int[i] == (active ? in_int[i] : -1);
-      if (active) good &= packed[next++] == in_int[i];
+      if (!active) continue;
+      good &= dense[next] == in[i] && packed[next] == in_int[i];
+      ++next;
     }
     for (int i = next; i < max_lanes; ++i) good &= packed[i] == -1;
     ASSERT_TRUE(good && count == next) << "mask " << set;

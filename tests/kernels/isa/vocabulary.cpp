@@ -243,6 +243,9 @@ const VocabularyTable vocabulary = {
                                          : spread_words<2, 12>;
       spread(record, load_int(place4), out);
     },
+    [](const float* in, std::uint32_t mask, float* out) {
+      store(out, compress(load<Float>(in), from_mask_bits(mask)));
+    },
     [](const std::int32_t* in, std::uint32_t mask, std::int32_t* out) {
       return compress_store(out, load_int(in), from_mask_bits(mask));
     },

@@ -104,6 +104,7 @@ struct VocabularyTable {
   int most_distinct, records_per_register;
   // Records of twelve words, or of three, from one register or from two: word by word into out.
   void (*spread_records)(int registers, int words, const float* const* record, const std::int32_t* place4, float* out);
+  void (*compress)(const float* in, std::uint32_t mask, float* out);
   int (*compress_store)(const std::int32_t* in, std::uint32_t mask, std::int32_t* out);
   std::uint32_t (*mask_round_trip)(std::uint32_t mask);
   std::uint32_t (*any_all_none)(std::uint32_t mask);  // bits 0, 1, 2
