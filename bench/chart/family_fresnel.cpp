@@ -196,9 +196,8 @@ Family measure_fresnel(Session& session) {
                     "F_Gulbrandsen", "F_CookTorrance", "F_Gotanda", "F_Conductor"});
   metal.id = "fresnel-metal";
   metal.title = "Measured metals";
-  metal.domain =
-      "silver, gold, copper, aluminium, chromium, iron, nickel, tungsten, each in red, green and blue; VoH 0 to 1";
-  metal.truth = "the exact equations with the measured complex index";
+  metal.domain = "silver, gold, copper, aluminium, chromium, iron, nickel, tungsten, each in RGB; VoH 0 to 1";
+  metal.truth = "the exact equations, measured index";
   Family family;
   family.id = "fresnel";
   family.title = "Fresnel reflectance";

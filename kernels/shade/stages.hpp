@@ -57,9 +57,11 @@ struct Block {
   std::uint32_t first;  // of the tile's fragments
   int count;            // a multiple of Wide::lanes; there may be fewer fragments in the last lanes
 
-  // What each stage leaves.
-  alignas(64) float v[3][block_size], nv[block_size];  // towards the eye, unit; n.v
-  alignas(64) std::int32_t cube_face[block_size];      // CubePoint
+  // What each stage leaves, within its range: what the planes hold is clamped once.
+  alignas(64) float n[3][block_size], roughness[block_size];
+  alignas(64) float v[3][block_size], nv[block_size];          // towards the eye, unit; n.v
+  alignas(64) float f0[3][block_size], albedo[3][block_size];  // Reflectance; where there are lights
+  alignas(64) std::int32_t cube_face[block_size];              // CubePoint
   alignas(64) float cube_s[block_size], cube_t[block_size];
   Footprints dfg, cube_fine, cube_coarse;
   alignas(64) float A[block_size], B[block_size];  // EnvironmentBRDF
@@ -87,6 +89,8 @@ template <bool mirror, class F>
   for (int i = 0; i < block.count; i += F::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
     const Vec3<F> n = load_normal<F>(g, at), eyewards = to_eye(load_position<F>(g, at), eye);
+    store_vector(block.n, i, n);
+    store(block.roughness + i, load_roughness<F>(g, at));
     const Vec3<F> v = normalize(eyewards);
     store_vector(block.v, i, v);
     store(block.nv + i, dot(n, v));
@@ -105,23 +109,20 @@ template <bool mirror, class F>
 
 template <class F>
 [[gnu::noinline]] void find_dfg_footprints(const ShadeArgs& args, Block& block) {
-  const float* const roughness = args.gbuffer.roughness;
   const DfgView dfg = args.dfg;
   for (int i = 0; i < block.count; i += F::lanes) {
     const F NoV = clamp_NoV(load<F>(block.nv + i));
-    const F r = load_clamped<F>(roughness, block.first + std::uint32_t(i), 0, 1);
-    block.dfg.set(i, dfg_footprint(dfg, NoV, r));
+    block.dfg.set(i, dfg_footprint(dfg, NoV, load<F>(block.roughness + i)));
   }
 }
 
 template <class F>
 [[gnu::noinline]] void find_cube_footprints(const ShadeArgs& args, Block& block) {
-  const float* const roughness = args.gbuffer.roughness;
   const CubeView cube = args.environment.specular;
   for (int i = 0; i < block.count; i += F::lanes) {
     const CubePoint<F> point = {load_int<IntOf<F>>(block.cube_face + i), load<F>(block.cube_s + i),
                                 load<F>(block.cube_t + i)};
-    const F r = load_clamped<F>(roughness, block.first + std::uint32_t(i), 0, 1);
+    const F r = load<F>(block.roughness + i);
     const CubeLookup<F> lookup = cube_lookup<HalfTexels>(cube, point, r * F(cube.levels - 1));
     block.cube_fine.set(i, lookup.fine);
     block.cube_coarse.set(i, lookup.coarse);
@@ -169,25 +170,30 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
 
 /// Leaves the radiance of punctual lights in ShadeArgs::radiance. mirror: the cube will be read after this.
 template <bool mirror, class F>
-[[gnu::noinline]] void shade_lights(const ShadeArgs& args, std::uint32_t light_count, const Block& block) {
+[[gnu::noinline]] void shade_lights(const ShadeArgs& args, std::uint32_t light_count, Block& block) {
   const GBufferView g = args.gbuffer;
   const CubeView cube = args.environment.specular;
   for (int i = 0; i < block.count; i += F::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
     LitPoint<F> p;
     p.position = load_position<F>(g, at);
-    p.n = load_normal<F>(g, at);
+    p.n = load_vector<F>(block.n, i);
     const Vec3<F> v = load_vector<F>(block.v, i);
     p.nv = load<F>(block.nv + i);
     p.v_tangential = {neg_mul_add(p.n.x, p.nv, v.x), neg_mul_add(p.n.y, p.nv, v.y), neg_mul_add(p.n.z, p.nv, v.z)};
-    const F r = max(load_roughness<F>(g, at), F(min_punctual_roughness));
+    const F r = max(load<F>(block.roughness + i), F(min_punctual_roughness));
     p.lobe = ggx_lobe(clamp_NoV(p.nv), r * r);
     // Of the stages, this one leaves the load ports idle; texels of the finer level mostly come from far away. Where
     // two vectors go side by side, they find the time to wait, and this would only cost.
     if constexpr (mirror && F::lanes == Float::lanes)
       block.cube_fine.prefetch(i, F::lanes, cube.texels, cube_pitch(cube.size, cube.levels));
     const LightSums<F> sums = sum_lights(p, args.lights, args.light_list, light_count);
-    const Vec3<F> radiance = reflect_lights(sums, load_reflectance<F>(g, at));
+    const Reflectance<F> surface = load_reflectance<F>(g, at);
+    if constexpr (mirror) {
+      store_vector(block.f0, i, surface.f0);
+      store_vector(block.albedo, i, surface.albedo);
+    }
+    const Vec3<F> radiance = reflect_lights(sums, surface);
     store(args.radiance[0] + at, radiance.x);
     store(args.radiance[1] + at, radiance.y);
     store(args.radiance[2] + at, radiance.z);

@@ -18,15 +18,16 @@ namespace {
 
 /// Radiance towards the eye from the environment: Karis 2013's split sum with Fdez-Aguera 2019's compensation. i counts
 /// the block's fragments.
-template <class F>
+template <bool lights, class F>
 TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& block, int i, const float sh[9][3]) {
   const std::uint32_t at = block.first + std::uint32_t(i);
-  const Reflectance<F> surface = load_reflectance<F>(g, at);
+  const Reflectance<F> surface = lights ? Reflectance<F>{load_vector<F>(block.f0, i), load_vector<F>(block.albedo, i)}
+                                        : load_reflectance<F>(g, at);
   const F weight = schlick_weight(clamp_NoV(load<F>(block.nv + i)));
   const EnvironmentSplit<F> split = multiple_scattering_FdezAguera(
-      surface.f0, load<F>(block.A + i), load<F>(block.B + i), weight, load_roughness<F>(g, at));
+      surface.f0, load<F>(block.A + i), load<F>(block.B + i), weight, load<F>(block.roughness + i));
   const Vec3<F> specular = load_vector<F>(block.mirrored, i);
-  const Vec3<F> diffuse = irradiance(sh, load_normal<F>(g, at));
+  const Vec3<F> diffuse = irradiance(sh, load_vector<F>(block.n, i));
   const F occlusion = load_occlusion<F>(g, at);
   const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n) {
     const F transmitted = albedo * (F(1) - single - multiple);
@@ -56,7 +57,8 @@ inline void finish(const ShadeArgs& args, const Block& block) {
     if constexpr (Features & feature_lights)
       radiance = {load<F>(args.radiance[0] + at), load<F>(args.radiance[1] + at), load<F>(args.radiance[2] + at)};
     if constexpr ((Features & feature_environment) && plain)
-      radiance = radiance + shade_environment<F>(g, block, i, args.environment.irradiance_sh);
+      radiance = radiance +
+                 shade_environment<(Features & feature_lights) != 0, F>(g, block, i, args.environment.irradiance_sh);
     else if constexpr (Features & feature_environment)
       radiance = radiance + shade_environment_options(shading_point<F>(g, at, args.eye), args);
     if constexpr (Features & feature_emissive) radiance = radiance + load_clamped<F>(g.emissive, at, 0, max_radiance);
