@@ -4,7 +4,6 @@
 // color and inverse_range_squared >= 0.
 #pragma once
 #include "kernels/interface.hpp"
-#include "kernels/math/roots.hpp"
 #include "kernels/math/vector.hpp"
 #include "kernels/simd.hpp"
 
@@ -70,7 +69,7 @@ TESSERA_INLINE Incident<F> incident_light(const LightView& light, const Reach<F>
   Incident<F> in;
   in.inverse_length = in.strength = in.divisor = F(1);
   if constexpr (kind == LightKind::directional) return in;
-  in.inverse_length = reciprocal_sqrt(reach.d2);
+  in.inverse_length = F(1) / sqrt(reach.d2);
   if constexpr (is_plus_one(kind)) {
     // Karis 2013, Real Shading in Unreal Engine 4, eq. 9: sat(1 - (d/range)^4)^2 / (d^2 + 1).
     in.strength = reach.window * reach.window;
