@@ -101,7 +101,15 @@ std::string draw_values(const SeriesPlot& plot, const Axis& x, const Axis& y) {
   chart::LabelScene scene{{left + 3, top + 3, right - 3, bottom - 2}, {}, {}};
   std::vector<chart::LabelRequest> requests;
   std::vector<std::string> words;
-  for (const PlottedSeries& series : plot.series) {
+  // The upper ones choose first: between them and the frame is the least room.
+  std::vector<const PlottedSeries*> from_above;
+  for (const PlottedSeries& series : plot.series)
+    if (!series.points.empty()) from_above.push_back(&series);
+  std::stable_sort(from_above.begin(), from_above.end(), [](const PlottedSeries* a, const PlottedSeries* b) {
+    return a->points.back().y > b->points.back().y;
+  });
+  for (const PlottedSeries* each : from_above) {
+    const PlottedSeries& series = *each;
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const PlottedPoint& p = series.points[i];
       words.push_back(p.name + (p.name.empty() ? "" : ": ") + fmt::format("{:.3g} ms", p.y));
