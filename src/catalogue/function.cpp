@@ -80,7 +80,7 @@ void add_roots(std::vector<Method>& list) {
   list.push_back(function("rsqrt_newton3", "bit trick, 3 Newton steps", "y (1.5 - x/2 y^2)", lomont, variants, wide,
                           3e-7, 0, 4e-7));
   list.push_back(function("rsqrt_householder", "bit trick, third order, Newton", "y (1 + h/2 + 3/8 h^2), h = 1 - x y^2",
-                          "Lomont 2003; Householder 1970", "kernels/math/roots.hpp", wide, 2e-7, 0, 2e-7));
+                          "Lomont 2003; Householder 1970", variants, wide, 2e-7, 0, 2e-7));
   list.push_back(function("reciprocal_exact", "1 / x, default", "division", ieee, variants, wide, 7e-8, 0, 7e-8));
   list.push_back(function("reciprocal_newton2", "bit trick, 2 Newton steps", "y + y (1 - x y)", lomont, variants, wide,
                           3e-7, 0, 3e-4));
