@@ -1,7 +1,5 @@
 // From G-buffer lanes to a point that can be shaded. Whatever bits the planes hold, what leaves here is in range.
 #pragma once
-#include "kernels/bsdf/diffuse.hpp"
-#include "kernels/bsdf/ggx_lobe.hpp"
 #include "kernels/interface.hpp"
 #include "kernels/math/vector.hpp"
 #include "kernels/simd.hpp"

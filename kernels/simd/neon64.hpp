@@ -1,5 +1,6 @@
 // What xsimd lacks or does inexactly on AArch64, on raw registers. Included by kernels/simd.hpp alone.
 #pragma once
+#include "kernels/simd/compress_four.hpp"
 
 namespace tessera::TESSERA_ISA {
 namespace {
@@ -97,20 +98,6 @@ TESSERA_INLINE void store_masked(std::int32_t* p, int32x4_t x, uint32x4_t m) {
   for (int i = 0; i < 4; ++i)
     if (m[i]) p[i] = x[i];
 }
-// The bytes of each set of lanes' lanes, in order.
-struct CompressTable {
-  std::uint8_t bytes[16][16] = {};
-  constexpr CompressTable() {
-    for (int set = 0; set < 16; ++set)
-      for (int lane = 0, next = 0; lane < 4; ++lane)
-        if (set >> lane & 1) {
-          for (int b = 0; b < 4; ++b) bytes[set][4 * next + b] = static_cast<std::uint8_t>(4 * lane + b);
-          ++next;
-        }
-  }
-};
-constexpr CompressTable compress_table;
-
 TESSERA_INLINE float32x4_t compress(float32x4_t x, uint32x4_t m) {
   return vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(x), vld1q_u8(compress_table.bytes[mask_bits(m)])));
 }

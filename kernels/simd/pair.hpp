@@ -64,9 +64,6 @@ TESSERA_INLINE Pair<T> operator|(Pair<T> a, Pair<T> b) {
 }
 TESSERA_INLINE Pair<Mask> operator!(Pair<Mask> a) { return {!a.first, !a.second}; }
 TESSERA_INLINE Pair<Int> operator<<(Pair<Int> a, int n) { return {a.first << n, a.second << n}; }
-TESSERA_INLINE Pair<Int> shift_right_logical(Pair<Int> a, int n) {
-  return {shift_right_logical(a.first, n), shift_right_logical(a.second, n)};
-}
 template <class T>
 TESSERA_INLINE Pair<Mask> operator<(Pair<T> a, Pair<T> b) {
   return {a.first < b.first, a.second < b.second};

@@ -1,5 +1,6 @@
 // What xsimd lacks or does inexactly on SSE4.2, on raw registers. Included by kernels/simd.hpp alone.
 #pragma once
+#include "kernels/simd/compress_four.hpp"
 
 namespace tessera::TESSERA_ISA {
 namespace {
@@ -172,20 +173,6 @@ TESSERA_INLINE void store_masked(float* p, __m128 x, __m128 m) {
   for (int i = 0; i < 4; ++i)
     if (set >> i & 1) p[i] = lanes[i];
 }
-// The bytes of each set of lanes' lanes, in order.
-struct CompressTable {
-  std::uint8_t bytes[16][16] = {};
-  constexpr CompressTable() {
-    for (int set = 0; set < 16; ++set)
-      for (int lane = 0, next = 0; lane < 4; ++lane)
-        if (set >> lane & 1) {
-          for (int b = 0; b < 4; ++b) bytes[set][4 * next + b] = static_cast<std::uint8_t>(4 * lane + b);
-          ++next;
-        }
-  }
-};
-constexpr CompressTable compress_table;
-
 TESSERA_INLINE __m128 compress(__m128 x, __m128 m) {
   const __m128i order = _mm_loadu_si128(reinterpret_cast<const __m128i*>(compress_table.bytes[mask_bits(m)]));
   return _mm_castsi128_ps(_mm_shuffle_epi8(_mm_castps_si128(x), order));
