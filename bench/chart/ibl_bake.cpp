@@ -113,16 +113,16 @@ Plot level_plot(Session& session, const World& world) {
         double squares = 0, errors = 0;
         for (int k = 0; k < count; ++k) {
           const std::size_t i = std::size_t(step * count + k);
-          alignas(64) float zero[max_lanes] = {}, out[3][max_lanes];
-          kernels.background({{float(axes[i].x), float(axes[i].y), float(axes[i].z)},
-                              {},
-                              {},
-                              cube.view(),
-                              float((levels - 1) * r * (1 + double(curve) * (1 - r))),
-                              zero,
-                              zero,
-                              1,
-                              {out[0], out[1], out[2]}});
+          alignas(64) float out[4][tile_pixels];
+          BackgroundArgs args{};
+          args.corner[0] = float(axes[i].x);
+          args.corner[1] = float(axes[i].y);
+          args.corner[2] = float(axes[i].z);
+          args.cube = cube.view();
+          args.lod = float((levels - 1) * r * (1 + double(curve) * (1 - r)));
+          args.width = args.height = 1;
+          for (int c = 0; c < 4; ++c) args.rgba[c] = out[c];
+          kernels.background(args);
           errors += (double(out[1][0]) - truth[i]) * (double(out[1][0]) - truth[i]);
           squares += truth[i] * truth[i];
         }

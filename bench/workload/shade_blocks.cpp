@@ -34,6 +34,8 @@ struct BlockShader {
 
     const int across = gbuffer.blocks_x(), x = block % across * block_size, y = block / across * block_size;
     kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
+                          nullptr,
+                          block_size / 4,
                           block_size,
                           std::min(block_size, gbuffer.height() - y),
                           rgba + (std::size_t(y) * std::size_t(gbuffer.width()) + std::size_t(x)) * 4,

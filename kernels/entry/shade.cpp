@@ -1,6 +1,7 @@
 // Shading of G-buffers, and the visible background.
 #include "kernels/entry/entries.hpp"
 #include "kernels/light/environment.hpp"
+#include "kernels/shade/background.hpp"
 #include "kernels/shade/cull.hpp"
 #include "kernels/shade/tile.hpp"
 
@@ -43,17 +44,19 @@ void shade(const ShadeArgs& args) {
 }
 
 void background(const BackgroundArgs& args) {
-  for (std::uint32_t i = 0; i < args.count; i += Float::lanes) {
-    const Float x = load<Float>(args.x + i), y = load<Float>(args.y + i);
-    const auto along = [&](int axis) {
-      return mul_add(y, Float(args.dy[axis]), mul_add(x, Float(args.dx[axis]), Float(args.corner[axis])));
-    };
-    const Vec3<Float> direction = {along(0), along(1), along(2)};
-    const Vec3<Float> radiance = clamp_radiance(sample_cube_uniform(args.cube, direction, args.lod));
-    store(args.radiance[0] + i, radiance.x);
-    store(args.radiance[1] + i, radiance.y);
-    store(args.radiance[2] + i, radiance.z);
-  }
+  const CubeView& cube = args.cube;
+  if (cube.texels == nullptr) return color_behind(args);
+  const float lod = clamp(args.lod, 0.0f, float(cube.levels - 1));
+  const std::int32_t fine = truncate_to_int(lod);
+  const float coarse_weight = lod - to_float(fine);
+  const auto level = [&](int k, float weight) {
+    return RayLevel{cube_level_start(cube.size, cube.levels, k), float(cube.size >> k) * 0.5f, weight};
+  };
+  const RayLevel levels[2] = {level(fine, 1.0f - coarse_weight), level(fine + 1, coarse_weight)};
+  if (coarse_weight > 0.0f)
+    environment_behind<true>(args, levels);
+  else
+    environment_behind<false>(args, levels);
 }
 
 std::uint32_t cull_lights(const CullLightsArgs& args) {
@@ -62,19 +65,22 @@ std::uint32_t cull_lights(const CullLightsArgs& args) {
 
 void store_pixels(const StorePixelsArgs& args) {
   constexpr int rows = Float::lanes / 4;  // a vector is 4 x rows pixels
-  const Float one(1);
   // Pixels go to memory once and are not read again soon: whole lines past the caches, where rows lie on lines.
   const bool lines = reinterpret_cast<std::uintptr_t>(args.rgba) % 64 == 0 && args.row_stride % 16 == 0;
   for (int y = 0; y < args.height; y += rows) {
     float* out = args.rgba + std::size_t(y) * args.row_stride;
     for (int x = 0; x < args.width; x += 4, out += 16) {
-      const int at = y / 4 * 4 * args.width + 4 * x + y % 4 * 4;
-      const Float pixel[4] = {load<Float>(args.radiance[0] + at), load<Float>(args.radiance[1] + at),
-                              load<Float>(args.radiance[2] + at), one};
-      if (y + rows > args.height) {
-        float last[4 * Float::lanes];
-        store_quads(last, pixel);
-        for (int i = 0; i < 16 * (args.height - y); ++i) out[std::size_t(i / 16) * args.row_stride + i % 16] = last[i];
+      const int at = (y / 4 * args.blocks + x / 4) * 16 + y % 4 * 4;
+      const Float pixel[4] = {load<Float>(args.rgb[0] + at), load<Float>(args.rgb[1] + at),
+                              load<Float>(args.rgb[2] + at),
+                              args.alpha == nullptr ? Float(1) : load<Float>(args.alpha + at)};
+      if (y + rows > args.height || x + 4 > args.width) {
+        float whole[4 * Float::lanes];
+        store_quads(whole, 16, pixel);
+        const int width = 4 * (args.width - x < 4 ? args.width - x : 4);
+        for (int row = 0; row < rows && y + row < args.height; ++row)
+          for (int i = 0; i < width; ++i)
+            out[std::size_t(row) * args.row_stride + std::size_t(i)] = whole[16 * row + i];
       } else if (lines) {
         stream_quads(out, args.row_stride, pixel);
       } else {

@@ -144,20 +144,26 @@ struct CullLightsArgs {
   std::uint32_t* out;  // room for lights.count, rounded up to max_lanes
 };
 
-struct StorePixelsArgs {     // opaque radiance -> pixels of a film
-  const float* radiance[3];  // in blocks of 4 x 4 as in a tile, but width / 4 blocks in a row
-  int width, height;         // width: a multiple of 4
-  float* rgba;               // of the first pixel; alpha becomes 1. Other threads see it after end_streaming()
-  std::size_t row_stride;    // in floats
+// What lies behind a tile's surfaces: the environment along the pixels' rays, or a colour. Planes are as a tile numbers
+// its pixels, tile_pixels of each.
+struct BackgroundArgs {
+  float corner[3], dx[3], dy[3];  // direction(x, y) = corner + x dx + y dy, pixel coordinates; need not be unit
+  CubeView cube;                  // without texels: color
+  float lod;                      // blur
+  float color[3];                 // radiance
+  int x, y;                       // pixel coordinates of the tile's first pixel; within +-2^23
+  int width, height;              // visible part: what lies beside it is written, too, or not
+  const float* remaining;  // how much of each pixel's light comes from behind; null: all, and planes are only set
+  float* rgba[4];          // added to, and alpha becomes 1 where something remains
 };
 
-struct BackgroundArgs {           // radiance of the environment along pixel rays
-  float corner[3], dx[3], dy[3];  // direction(x, y) = corner + x dx + y dy, pixel coordinates; need not be unit
-  CubeView cube;
-  float lod;           // blur
-  const float *x, *y;  // pixel coordinates of each ray
-  std::uint32_t count;
-  float* radiance[3];
+struct StorePixelsArgs {  // planes -> pixels of a film
+  const float* rgb[3];    // in blocks of 4 x 4 as in a tile, but `blocks` of them in a row
+  const float* alpha;     // null: 1
+  int blocks;
+  int width, height;
+  float* rgba;             // of the first pixel. Other threads see it after end_streaming()
+  std::size_t row_stride;  // in floats
 };
 
 enum class ToneCurve : std::uint32_t { none, reinhard, aces, khronos_neutral };

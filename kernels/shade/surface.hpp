@@ -20,6 +20,13 @@ TESSERA_INLINE Vec3<F> load_clamped(const float* const planes[3], std::uint32_t 
           load_clamped<F>(planes[2], i, low, high)};
 }
 
+/// Finite and non-negative, whatever the sum became; -0 becomes +0.
+template <class F>
+TESSERA_INLINE Vec3<F> clamp_radiance(const Vec3<F>& radiance) {
+  return {clamp(radiance.x, F(0), F(max_radiance)), clamp(radiance.y, F(0), F(max_radiance)),
+          clamp(radiance.z, F(0), F(max_radiance))};
+}
+
 /// Within +-max_coordinate.
 template <class F>
 TESSERA_INLINE Vec3<F> load_position(const GBufferView& g, std::uint32_t i) {

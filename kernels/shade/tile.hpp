@@ -38,13 +38,6 @@ TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& bloc
           reflect(split.single.z, split.multiple.z, surface.albedo.z, specular.z, diffuse.z)};
 }
 
-/// Finite and non-negative, whatever the sum became; -0 becomes +0.
-template <class F>
-TESSERA_INLINE Vec3<F> clamp_radiance(const Vec3<F>& radiance) {
-  return {clamp(radiance.x, F(0), F(max_radiance)), clamp(radiance.y, F(0), F(max_radiance)),
-          clamp(radiance.z, F(0), F(max_radiance))};
-}
-
 /// The last stage: all that a block sends to the eye, summed.
 template <std::uint32_t Features, bool plain, class F>
 inline void finish(const ShadeArgs& args, const Block& block) {

@@ -20,24 +20,23 @@ struct BackgroundSource {
   float lod = 0;
 };
 
-/// Scratch of one thread.
-struct CompositeScratch {
-  AlignedVector<float> rgba, remaining, x, y, radiance;
-  std::vector<std::uint16_t> pixels;
-  CompositeScratch();
+/// A tile's pixels while they are put together, as it numbers them. Scratch of one thread.
+struct TilePixels {
+  alignas(64) float rgba[4][tile_pixels];  // planes
+  alignas(64) float remaining[tile_pixels];
 };
 
 /// Blends the fragments of each pixel front to back, sample by sample:  C += T alpha L,  T *= 1 - alpha  (Porter & Duff
 /// 1984, "over"), averages the samples. `fragments` as TileFragments sorts them. What light passes through is left in
-/// scratch.remaining (0 .. 1).
-void composite_surfaces(const TileFragments& fragments, int samples, CompositeScratch& scratch);
-
-/// A tile without fragments: nothing but background.
-void background_alone(const BackgroundSource& background, const View& view, const Kernels& kernels,
-                      CompositeScratch& scratch, const TileFilm& film);
+/// pixels.remaining (0 .. 1).
+void composite_surfaces(const TileFragments& fragments, int samples, TilePixels& pixels);
 
 /// Fills in the background where something remains, and writes the tile to the film.
 void composite_background(const BackgroundSource& background, const View& view, const Kernels& kernels,
-                          CompositeScratch& scratch, const TileFilm& film);
+                          TilePixels& pixels, const TileFilm& film);
+
+/// The same of a tile without fragments: nothing but background.
+void background_alone(const BackgroundSource& background, const View& view, const Kernels& kernels, TilePixels& pixels,
+                      const TileFilm& film);
 
 }  // namespace tessera

@@ -54,6 +54,8 @@ void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const B
   if (tile.whole) {
     const std::array<float*, 3> radiance = tile.radiance();
     kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
+                          nullptr,
+                          rect.width / 4,
                           rect.width,
                           rect.height,
                           film.at(rect.x, rect.y),

@@ -29,7 +29,7 @@ struct TileGrid {
 /// What a thread keeps from tile to tile, and counts.
 struct FrameWorker {
   TileWorker tile;
-  CompositeScratch composite;
+  TilePixels composite;
   std::uint64_t fragments = 0, pixels = 0, empty = 0;
 };
 

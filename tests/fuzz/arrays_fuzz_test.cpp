@@ -67,26 +67,43 @@ TEST(ArraysFuzz, AnyRayOfTheBackgroundIsFiniteAndTheSame) {
   const Kernels &narrow = *runnable_kernels().front(), &wide = *runnable_kernels().back();
   const Environment environment = Environment::constant(2);
   RandomBits random(33);
-  std::vector<float> x(block), y(block), out[3], other[3];
-  for (int c = 0; c < 3; ++c) out[c].resize(block), other[c].resize(block);
-  for (std::uint64_t done = 0; done < fuzz_count(); done += 2 * block) {
-    random.fill(x.data(), block);
-    random.fill(y.data(), block);
-    float lod;
-    random.fill(&lod, 1);
-    if (done / block % 4 == 0) lod = 1.5f;
-    BackgroundArgs args{
-        {-1, 1, -1}, {0.07f, 0, 0}, {0, -0.07f, 0}, environment.view().background, lod, x.data(), y.data(), block, {}};
-    if (done / block % 8 == 6) random.fill(args.corner, 3);
-    for (int c = 0; c < 3; ++c) args.radiance[c] = out[c].data();
+  std::vector<float> out[4], other[4], remaining(tile_pixels);
+  for (std::uint64_t done = 0, round = 0; done < fuzz_count(); done += tile_pixels, ++round) {
+    BackgroundArgs args{{-1, 1, -1},
+                        {0.07f, 0, 0},
+                        {0, -0.07f, 0},
+                        environment.view().background,
+                        1.5f,
+                        {},
+                        0,
+                        0,
+                        tile_size,
+                        tile_size,
+                        nullptr,
+                        {}};
+    if (round % 4 != 0) random.fill(&args.lod, 1);
+    if (round % 2 != 0) random.fill(args.dx, 3);
+    if (round % 4 >= 2) random.fill(args.dy, 3);
+    if (round % 8 == 7) random.fill(args.corner, 3);
+    args.x = int(random.next() % (1u << 24)) - (1 << 23);
+    args.y = int(random.next() % (1u << 24)) - (1 << 23);
+    if (round % 16 >= 8) {
+      for (float& x : remaining) x = float(random.next() % 9) / 8;
+      args.remaining = remaining.data();
+    }
+    for (int c = 0; c < 4; ++c) {
+      out[c].assign(tile_pixels, 0.25f);
+      other[c] = out[c];
+      args.rgba[c] = out[c].data();
+    }
     narrow.background(args);
-    for (int c = 0; c < 3; ++c) args.radiance[c] = other[c].data();
+    for (int c = 0; c < 4; ++c) args.rgba[c] = other[c].data();
     wide.background(args);
-    for (int c = 0; c < 3; ++c) {
-      ASSERT_TRUE(same(out[c], other[c])) << "block " << done / block;
+    for (int c = 0; c < 4; ++c) {
+      ASSERT_TRUE(same(out[c], other[c])) << "round " << round;
       bool good = true;
       for (const float r : out[c]) good &= r >= 0 && r <= 3.4e38f;
-      ASSERT_TRUE(good) << "block " << done / block;
+      ASSERT_TRUE(good) << "round " << round;
     }
   }
 }

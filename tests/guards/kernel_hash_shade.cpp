@@ -83,23 +83,27 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
       for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
   }
 
-  for (std::size_t i = 0; i < GBuffer::capacity; ++i) {
-    g.position[0][i] = static_cast<float>(i % 32);
-    g.position[1][i] = static_cast<float>(i / 32);
-  }
-  for (const float lod : {0.0f, 1.7f, 9.0f}) {
-    kernels.background({{-1, 1, -1},
-                        {0.07f, 0, 0},
-                        {0, -0.07f, 0},
-                        environment.background,
-                        lod,
-                        g.position[0],
-                        g.position[1],
-                        GBuffer::count,
-                        {radiance[0].values, radiance[1].values, radiance[2].values}});
-    for (const auto& plane : radiance)
-      for (std::size_t i = 0; i < GBuffer::count; ++i) hash.add(plane.values[i]);
-  }
+  float rgba[4][tile_pixels], remaining[tile_pixels];
+  for (const float lod : {0.0f, 1.7f, 9.0f})
+    for (const bool alone : {false, true}) {
+      for (float(&plane)[tile_pixels] : rgba)
+        for (float& x : plane) x = random.between(0, 1);
+      for (float& x : remaining) x = random.between(-1, 1);
+      kernels.background({{-1, 1, -1},
+                          {0.07f, 0, 0},
+                          {0, -0.07f, 0},
+                          environment.background,
+                          lod,
+                          {},
+                          0,
+                          0,
+                          tile_size,
+                          tile_size,
+                          alone ? nullptr : remaining,
+                          {rgba[0], rgba[1], rgba[2], rgba[3]}});
+      for (const float(&plane)[tile_pixels] : rgba)
+        for (const float x : plane) hash.add(x);
+    }
 }
 
 void hash_environment(const Kernels& kernels, Random& random, Hash& hash) {

@@ -29,8 +29,8 @@ TEST(Composite, AgreesWithSampleBySampleOver) {
       tile.gbuffer().alpha[i] = random.next() % 3 == 0 ? 1.0f : static_cast<float>(random.uniform());
       for (float* plane : tile.radiance()) plane[i] = static_cast<float>(random.between(0, 10));
     }
-    CompositeScratch scratch;
-    composite_surfaces(tile, samples, scratch);
+    TilePixels pixels;
+    composite_surfaces(tile, samples, pixels);
     for (int pixel = 0; pixel < tile_pixels; ++pixel) {
       double expected[4] = {}, left = 0;
       for (int s = 0; s < samples; ++s) {
@@ -46,9 +46,8 @@ TEST(Composite, AgreesWithSampleBySampleOver) {
         left += t / samples;
       }
       for (int k = 0; k < 4; ++k)
-        ASSERT_NEAR(scratch.rgba[4 * pixel + k], expected[k], 2e-5)
-            << "pixel " << pixel << ", " << samples << " samples";
-      ASSERT_NEAR(scratch.remaining[pixel], left, 1e-6);
+        ASSERT_NEAR(pixels.rgba[k][pixel], expected[k], 2e-5) << "pixel " << pixel << ", " << samples << " samples";
+      ASSERT_NEAR(pixels.remaining[pixel], left, 1e-6);
     }
   }
 }
@@ -60,11 +59,11 @@ TEST(Composite, ATileOfBackgroundAloneIsWhatCompositingNothingGives) {
   const View view = make_view(camera, 100, 70, kernels);
   for (const Background kind : {Background::color, Background::transparent, Background::environment}) {
     const BackgroundSource background{kind, {0.25f, -0.0f, 7}, environment.view().background, 1.5f};
-    CompositeScratch scratch, other;
+    TilePixels pixels, other;
     std::vector<float> expected(std::size_t{4} * 40 * tile_size, -3), got = expected;
     const auto film = [&](std::vector<float>& rgba) { return TileFilm{64, 32, 31, 27, rgba.data(), 4 * 40}; };
-    composite_surfaces(TileFragments(), 4, scratch);
-    composite_background(background, view, kernels, scratch, film(expected));
+    composite_surfaces(TileFragments(), 4, pixels);
+    composite_background(background, view, kernels, pixels, film(expected));
     background_alone(background, view, kernels, other, film(got));
     EXPECT_EQ(0, std::memcmp(got.data(), expected.data(), got.size() * sizeof(float))) << static_cast<int>(kind);
   }
