@@ -1,5 +1,5 @@
-// Radiance from the environment with everything that EnvironmentShading and EnvironmentView can ask for. The plain
-// form, one lookup along the mirror direction, is in tile.hpp.
+// Light from the environment with everything that EnvironmentShading and EnvironmentView can ask for, as stages. The
+// plain form, one lookup along the mirror direction, is in stages.hpp and tile.hpp.
 #pragma once
 #include "kernels/bsdf/dfg_fit.hpp"
 #include "kernels/bsdf/energy.hpp"
@@ -8,13 +8,14 @@
 #include "kernels/light/environment.hpp"
 #include "kernels/math/approx.hpp"
 #include "kernels/math/vector.hpp"
+#include "kernels/shade/stages.hpp"
 #include "kernels/shade/stretch.hpp"
 #include "kernels/shade/surface.hpp"
 
 namespace tessera::TESSERA_ISA {
 namespace {
 
-/// Whether shade_environment of tile.hpp has all that is asked for.
+/// Whether the plain form has all that is asked for.
 inline bool is_plain(const EnvironmentShading& shading, const EnvironmentView& environment) {
   return shading.lobe == EnvironmentLobe::mirror && shading.fresnel == EnvironmentFresnel::roughness &&
          !shading.specular_occlusion && shading.albedo == EnvironmentAlbedo::table && environment.lod_curve == 0.0f &&
@@ -29,68 +30,191 @@ TESSERA_INLINE F specular_occlusion(F NoV, F occlusion, F alpha) {
   return saturate(pow(NoV + occlusion, exponent) - F(1) + occlusion);
 }
 
-/// Mean radiance over the specular lobe.
-template <class Texels, class F>
-TESSERA_INLINE Vec3<F> sample_lobe(const ShadingPoint<F>& p, const EnvironmentView& environment, EnvironmentLobe lobe) {
-  switch (lobe) {
-    case EnvironmentLobe::taps2:
-      return sample_along_axis<Texels, 2>(environment, p);
-    case EnvironmentLobe::taps4:
-      return sample_along_axis<Texels, 4>(environment, p);
-    case EnvironmentLobe::points8:
-      return sample_points<Texels>(environment, p);
-    default:
-      break;
-  }
-  const Vec3<F> mirrored = p.n * (p.nv + p.nv) - p.v;
-  const Vec3<F> axis =
-      lobe == EnvironmentLobe::shifted ? dominant_direction(p.n, mirrored, p.roughness * p.roughness) : mirrored;
-  return sample_cube<Texels>(environment.specular, axis, specular_level(environment, p.roughness));
-}
+/// What the stages of a block leave beside what the plain form needs.
+struct OptionsBlock {
+  // LobeView; the rest of it is cheap.
+  alignas(64) float tangent[3][block_size], sin_v[block_size], hx[block_size], hz[block_size], root_v[block_size];
+  alignas(64) float level[block_size], weight[block_size], sum[block_size];  // of a tap; of the taps' weights
+  alignas(64) float diffuse[3][block_size];                                  // E(n) / pi, where it comes from a cube
+};
 
-/// A and B of the environment BRDF.
+// ------------------------------------------------------------------------------------------------- specular lobe
+
 template <class F>
-TESSERA_INLINE EnvironmentBRDF<F> environment_albedo(const ShadingPoint<F>& p, const DfgView& dfg,
-                                                     EnvironmentAlbedo form) {
-  if (form == EnvironmentAlbedo::table) {
-    EnvironmentBRDF<F> brdf;
-    sample_dfg(dfg, p.NoV, p.roughness, brdf.A, brdf.B);
-    return brdf;
+[[gnu::noinline]] void find_lobe(const Block& block, OptionsBlock& options) {
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const LobeView<F> w = lobe_view(load_vector<F>(block.n, i), load_vector<F>(block.v, i), load<F>(block.nv + i),
+                                    load<F>(block.roughness + i));
+    store_vector(options.tangent, i, w.tangent);
+    store(options.sin_v + i, w.sin_v);
+    store(options.hx + i, w.hx);
+    store(options.hz + i, w.hz);
+    store(options.root_v + i, w.root_v);
   }
-  const EnvironmentFit<F> fitted =
-      form == EnvironmentAlbedo::fit ? dfg_fit(p.NoV, p.roughness) : dfg_fit_small(p.NoV, p.roughness);
-  return {fitted.A, fitted.B};
+}
+template <class F>
+TESSERA_INLINE LobeView<F> load_lobe(const Block& block, const OptionsBlock& options, int i) {
+  const F r = load<F>(block.roughness + i);
+  return {load_vector<F>(block.n, i),
+          load_vector<F>(options.tangent, i),
+          clamp_NoV(load<F>(block.nv + i)),
+          load<F>(options.sin_v + i),
+          r * r,
+          load<F>(options.hx + i),
+          load<F>(options.hz + i),
+          load<F>(options.root_v + i)};
 }
 
-/// Radiance towards the eye from the environment: split sum (Karis 2013) with Fdez-Aguera 2019's compensation. Not
-/// inlined: one copy for each format of the cube serves all feature sets.
-template <class Texels, class F>
-[[gnu::noinline]] Vec3<F> shade_environment_stored_as(const ShadingPoint<F>& p, const ShadeArgs& args) {
-  const EnvironmentShading& shading = args.environment_shading;
-  const EnvironmentBRDF<F> brdf = environment_albedo(p, args.dfg, shading.albedo);
-  // Without the grazing weight, kS is F0.
-  const F weight = shading.fresnel == EnvironmentFresnel::f0 ? F(0) : schlick_weight(p.NoV);
-  const EnvironmentSplit<F> split = multiple_scattering_FdezAguera(p.f0, brdf.A, brdf.B, weight, p.roughness);
+/// Where tap k of the lobe meets the cube.
+template <EnvironmentLobe lobe, class F>
+[[gnu::noinline]] void find_tap(const EnvironmentView& environment, int k, Block& block, OptionsBlock& options) {
+  const int faces = cube_face_texels(environment.specular.size, environment.specular.levels);
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const LobeView<F> w = load_lobe<F>(block, options, i);
+    Tap<F> tap;
+    if constexpr (lobe == EnvironmentLobe::points8)
+      tap = disc_tap(w, k);
+    else
+      tap = axis_tap < lobe == EnvironmentLobe::taps2 ? 2 : 4 > (w, k);
+    store_point(block, i, cube_point(tap.axis, faces));
+    store(options.level + i, specular_level(environment, tap.r));
+    store(options.weight + i, tap.weight);
+  }
+}
 
-  const F open =
-      shading.specular_occlusion ? specular_occlusion(p.NoV, p.occlusion, p.roughness * p.roughness) : p.occlusion;
-  const Vec3<F> specular = sample_lobe<Texels>(p, args.environment, shading.lobe) * open;
-  const Vec3<F> diffuse = (args.environment.irradiance.texels ? sample_cube_uniform(args.environment.irradiance, p.n, 0)
-                                                              : irradiance(args.environment.irradiance_sh, p.n)) *
-                          p.occlusion;
-  const auto reflect = [&](F single, F multiple, F albedo, F along, F around_n) {
-    const F transmitted = albedo * (F(1) - single - multiple);
+/// The same of the one lookup of other lobes.
+template <class F>
+[[gnu::noinline]] void find_axis(const EnvironmentView& environment, EnvironmentLobe lobe, Block& block,
+                                 OptionsBlock& options) {
+  const int faces = cube_face_texels(environment.specular.size, environment.specular.levels);
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const Vec3<F> n = load_vector<F>(block.n, i);
+    const F nv = load<F>(block.nv + i), r = load<F>(block.roughness + i);
+    const Vec3<F> mirrored = n * (nv + nv) - load_vector<F>(block.v, i);
+    store_point(
+        block, i,
+        cube_point(lobe == EnvironmentLobe::shifted ? dominant_direction(n, mirrored, r * r) : mirrored, faces));
+    store(options.level + i, specular_level(environment, r));
+  }
+}
+
+template <class Texels, class F>
+[[gnu::noinline]] void find_lookup(const CubeView& cube, Block& block, const OptionsBlock& options) {
+  find_footprints<Texels, F>(
+      cube, [&](int i) { return load<F>(options.level + i); }, block);
+}
+
+/// Adds a tap to the lobe's mean; with the last one it is complete.
+template <class Texels>
+[[gnu::noinline]] void read_tap(const CubeView& cube, bool first, bool last, Block& block, OptionsBlock& options) {
+  for (int i = 0; i < block.count; i += Float::lanes) {
+    const Vec3<Float> fine = read_footprint(Texels{}, cube, block.cube_fine, i);
+    const Vec3<Float> radiance = fine + read_footprint(Texels{}, cube, block.cube_coarse, i);
+    const Float weight = load<Float>(options.weight + i);
+    Vec3<Float> sum = radiance * weight;
+    Float weights = weight;
+    if (!first) {
+      const Vec3<Float> before = load_vector<Float>(block.specular, i);
+      sum = {mul_add(weight, radiance.x, before.x), mul_add(weight, radiance.y, before.y),
+             mul_add(weight, radiance.z, before.z)};
+      weights = load<Float>(options.sum + i) + weight;
+    }
+    if (last)
+      sum = sum * (Float(1) / max(weights, Float(1e-20)));  // all below the horizon: black
+    else
+      store(options.sum + i, weights);
+    store_vector(block.specular, i, sum);
+  }
+}
+
+/// Mean radiance over the specular lobe.
+template <class Texels>
+inline void sample_lobe(const ShadeArgs& args, Block& block, OptionsBlock& options) {
+  const EnvironmentView& environment = args.environment;
+  const EnvironmentLobe lobe = args.environment_shading.lobe;
+  const int taps = lobe == EnvironmentLobe::taps2     ? 2
+                   : lobe == EnvironmentLobe::taps4   ? 4
+                   : lobe == EnvironmentLobe::points8 ? 8
+                                                      : 0;
+  if (taps == 0) {
+    find_axis<Wide>(environment, lobe, block, options);
+    find_lookup<Texels, Wide>(environment.specular, block, options);
+    return read_cube<Texels>(args, block);
+  }
+  find_lobe<Wide>(block, options);
+  for (int k = 0; k < taps; ++k) {
+    if (lobe == EnvironmentLobe::taps2)
+      find_tap<EnvironmentLobe::taps2, Wide>(environment, k, block, options);
+    else if (lobe == EnvironmentLobe::taps4)
+      find_tap<EnvironmentLobe::taps4, Wide>(environment, k, block, options);
+    else
+      find_tap<EnvironmentLobe::points8, Wide>(environment, k, block, options);
+    find_lookup<Texels, Wide>(environment.specular, block, options);
+    read_tap<Texels>(environment.specular, k == 0, k == taps - 1, block, options);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------------ the rest
+
+/// A and B of the environment BRDF, without a table.
+[[gnu::noinline]] inline void fit_dfg(EnvironmentAlbedo form, Block& block) {
+  for (int i = 0; i < block.count; i += Float::lanes) {
+    const Float NoV = clamp_NoV(load<Float>(block.nv + i)), r = load<Float>(block.roughness + i);
+    const EnvironmentFit<Float> fitted = form == EnvironmentAlbedo::fit ? dfg_fit(NoV, r) : dfg_fit_small(NoV, r);
+    store(block.A + i, fitted.A);
+    store(block.B + i, fitted.B);
+  }
+}
+
+/// Irradiance from a cube: its level 0.
+[[gnu::noinline]] inline void read_irradiance(const CubeView& cube, const Block& block, OptionsBlock& options) {
+  for (int i = 0; i < block.count; i += Float::lanes)
+    store_vector(options.diffuse, i, sample_cube_uniform(cube, load_vector<Float>(block.n, i), 0));
+}
+
+/// Everything that shade_environment_options() reads.
+inline void sample_environment_options(const ShadeArgs& args, Block& block, OptionsBlock& options) {
+  const EnvironmentView& environment = args.environment;
+  if (args.environment_shading.albedo == EnvironmentAlbedo::table) {
+    find_dfg_footprints<Wide>(args, block);
+    read_dfg(args, block);
+  } else {
+    fit_dfg(args.environment_shading.albedo, block);
+  }
+  if (environment.specular.format == CubeFormat::rgb9_e5)
+    sample_lobe<Rgb9e5Texels>(args, block, options);
+  else
+    sample_lobe<HalfTexels>(args, block, options);
+  if (environment.irradiance.texels != nullptr) read_irradiance(environment.irradiance, block, options);
+}
+
+/// Radiance towards the eye from the environment: split sum (Karis 2013) with Fdez-Aguera 2019's compensation. i counts
+/// the block's fragments.
+template <bool lights>
+TESSERA_INLINE Vec3<Float> shade_environment_options(const ShadeArgs& args, const Block& block,
+                                                     const OptionsBlock& options, int i) {
+  const EnvironmentShading& shading = args.environment_shading;
+  const std::uint32_t at = block.first + std::uint32_t(i);
+  const Reflectance<Float> surface = block_reflectance<lights, Float>(args.gbuffer, block, i);
+  const Float NoV = clamp_NoV(load<Float>(block.nv + i)), r = load<Float>(block.roughness + i);
+  // Without the grazing weight, kS is F0.
+  const Float weight = shading.fresnel == EnvironmentFresnel::f0 ? Float(0) : schlick_weight(NoV);
+  const EnvironmentSplit<Float> split =
+      multiple_scattering_FdezAguera(surface.f0, load<Float>(block.A + i), load<Float>(block.B + i), weight, r);
+  const Float occlusion = load_occlusion<Float>(args.gbuffer, at);
+  const Float open = shading.specular_occlusion ? specular_occlusion(NoV, occlusion, r * r) : occlusion;
+  const Vec3<Float> specular = load_vector<Float>(block.specular, i) * open;
+  const Vec3<Float> diffuse = (args.environment.irradiance.texels != nullptr
+                                   ? load_vector<Float>(options.diffuse, i)
+                                   : irradiance(args.environment.irradiance_sh, load_vector<Float>(block.n, i))) *
+                              occlusion;
+  const auto reflect = [&](Float single, Float multiple, Float albedo, Float along, Float around_n) {
+    const Float transmitted = albedo * (Float(1) - single - multiple);
     return mul_add(single, along, (multiple + transmitted) * around_n);
   };
-  return {reflect(split.single.x, split.multiple.x, p.albedo.x, specular.x, diffuse.x),
-          reflect(split.single.y, split.multiple.y, p.albedo.y, specular.y, diffuse.y),
-          reflect(split.single.z, split.multiple.z, p.albedo.z, specular.z, diffuse.z)};
-}
-
-template <class F>
-TESSERA_INLINE Vec3<F> shade_environment_options(const ShadingPoint<F>& p, const ShadeArgs& args) {
-  return args.environment.specular.format == CubeFormat::rgb9_e5 ? shade_environment_stored_as<Rgb9e5Texels>(p, args)
-                                                                 : shade_environment_stored_as<HalfTexels>(p, args);
+  return {reflect(split.single.x, split.multiple.x, surface.albedo.x, specular.x, diffuse.x),
+          reflect(split.single.y, split.multiple.y, surface.albedo.y, specular.y, diffuse.y),
+          reflect(split.single.z, split.multiple.z, surface.albedo.z, specular.z, diffuse.z)};
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ struct Footprints {
   alignas(64) std::int32_t word[block_size];  // where the upper left texel is, in words of 32 bits
   alignas(64) float weight[4][block_size];
 
-  template <class F>
+  /// Entries of two words, or of one.
+  template <int entry_words = 2, class F>
   TESSERA_INLINE void set(int i, const BilinearFootprint<F>& f) {
-    store(word + i, f.above << 1);  // all tables have entries of two words
+    store(word + i, entry_words == 2 ? f.above << 1 : f.above);
     store(weight[0] + i, f.w00);
     store(weight[1] + i, f.w01);
     store(weight[2] + i, f.w10);
@@ -65,7 +66,7 @@ struct Block {
   alignas(64) float cube_s[block_size], cube_t[block_size];
   Footprints dfg, cube_fine, cube_coarse;
   alignas(64) float A[block_size], B[block_size];  // EnvironmentBRDF
-  alignas(64) float mirrored[3][block_size];       // prefiltered radiance along the mirror direction
+  alignas(64) float specular[3][block_size];       // prefiltered radiance, its mean over the lobe
 };
 
 template <class F>
@@ -77,6 +78,20 @@ TESSERA_INLINE void store_vector(float (&planes)[3][block_size], int i, const Ve
   store(planes[0] + i, x.x);
   store(planes[1] + i, x.y);
   store(planes[2] + i, x.z);
+}
+
+template <class F>
+TESSERA_INLINE void store_point(Block& block, int i, const CubePoint<F>& point) {
+  store(block.cube_face + i, point.face);
+  store(block.cube_s + i, point.s);
+  store(block.cube_t + i, point.t);
+}
+
+/// As the stage of the lights left it, or, without lights, from the planes.
+template <bool lights, class F>
+TESSERA_INLINE Reflectance<F> block_reflectance(const GBufferView& g, const Block& block, int i) {
+  if constexpr (lights) return {load_vector<F>(block.f0, i), load_vector<F>(block.albedo, i)};
+  return load_reflectance<F>(g, block.first + std::uint32_t(i));
 }
 
 /// Towards the eye; and, if asked for, where the mirror direction meets the cube.
@@ -98,9 +113,7 @@ template <bool mirror, class F>
       // Of any length: this does not wait for v.
       const F along_n = dot(n, eyewards);
       const CubePoint<F> point = cube_point(n * (along_n + along_n) - eyewards, faces);
-      store(block.cube_face + i, point.face);
-      store(block.cube_s + i, point.s);
-      store(block.cube_t + i, point.t);
+      store_point(block, i, point);
     }
   }
 }
@@ -116,17 +129,24 @@ template <class F>
   }
 }
 
-template <class F>
-[[gnu::noinline]] void find_cube_footprints(const ShadeArgs& args, Block& block) {
-  const CubeView cube = args.environment.specular;
+/// Of the block's points of the cube. level(i) is for the fragments from i on.
+template <class Texels, class F, class Level>
+TESSERA_INLINE void find_footprints(const CubeView& cube, const Level& level, Block& block) {
+  constexpr int words = texel_words<Texels>;
   for (int i = 0; i < block.count; i += F::lanes) {
     const CubePoint<F> point = {load_int<IntOf<F>>(block.cube_face + i), load<F>(block.cube_s + i),
                                 load<F>(block.cube_t + i)};
-    const F r = load<F>(block.roughness + i);
-    const CubeLookup<F> lookup = cube_lookup<HalfTexels>(cube, point, r * F(cube.levels - 1));
-    block.cube_fine.set(i, lookup.fine);
-    block.cube_coarse.set(i, lookup.coarse);
+    const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, level(i));
+    block.cube_fine.template set<words>(i, lookup.fine);
+    block.cube_coarse.template set<words>(i, lookup.coarse);
   }
+}
+
+template <class F>
+[[gnu::noinline]] void find_cube_footprints(const ShadeArgs& args, Block& block) {
+  const CubeView cube = args.environment.specular;
+  find_footprints<HalfTexels, F>(
+      cube, [&](int i) { return load<F>(block.roughness + i) * F(cube.levels - 1); }, block);
 }
 
 [[gnu::noinline]] inline void read_dfg(const ShadeArgs& args, Block& block) {
@@ -141,16 +161,24 @@ template <class F>
   }
 }
 
-[[gnu::noinline]] inline void read_cube(const ShadeArgs& args, Block& block) {
-  const std::uint16_t* const texels = args.environment.specular.texels;
-  const int pitch = cube_pitch(args.environment.specular.size, args.environment.specular.levels);
+/// Radiance in a level of the cube.
+TESSERA_INLINE Vec3<Float> read_footprint(HalfTexels, const CubeView& cube, const Footprints& footprints, int i) {
+  Float above[4], below[4];
+  footprints.gather(i, cube.texels, cube_pitch(cube.size, cube.levels), above, below);
+  return blend(footprints.weights(i), decode_texels(above), decode_texels(below));
+}
+TESSERA_INLINE Vec3<Float> read_footprint(Rgb9e5Texels texels, const CubeView& cube, const Footprints& footprints,
+                                          int i) {
+  const Int above = load_int<Int>(footprints.word + i), below = above + Int(cube_pitch(cube.size, cube.levels));
+  return blend(footprints.weights(i), cube_texels<Float>(texels, cube, above), cube_texels<Float>(texels, cube, below));
+}
+
+template <class Texels>
+[[gnu::noinline]] void read_cube(const ShadeArgs& args, Block& block) {
+  const CubeView cube = args.environment.specular;
   for (int i = 0; i < block.count; i += Float::lanes) {
-    Float above[4], below[4];
-    block.cube_fine.gather(i, texels, pitch, above, below);
-    const Vec3<Float> fine = blend(block.cube_fine.weights(i), decode_texels(above), decode_texels(below));
-    block.cube_coarse.gather(i, texels, pitch, above, below);
-    const Vec3<Float> coarse = blend(block.cube_coarse.weights(i), decode_texels(above), decode_texels(below));
-    store_vector(block.mirrored, i, fine + coarse);
+    const Vec3<Float> fine = read_footprint(Texels{}, cube, block.cube_fine, i);
+    store_vector(block.specular, i, fine + read_footprint(Texels{}, cube, block.cube_coarse, i));
   }
 }
 
@@ -168,8 +196,9 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
   prefetch(g.occlusion + i);
 }
 
-/// Leaves the radiance of punctual lights in ShadeArgs::radiance. mirror: the cube will be read after this.
-template <bool mirror, class F>
+/// Leaves the radiance of punctual lights in ShadeArgs::radiance. environment: its light comes after this, mirror: by
+/// reading the cube at the block's footprints.
+template <bool environment, bool mirror, class F>
 [[gnu::noinline]] void shade_lights(const ShadeArgs& args, std::uint32_t light_count, Block& block) {
   const GBufferView g = args.gbuffer;
   const CubeView cube = args.environment.specular;
@@ -189,7 +218,7 @@ template <bool mirror, class F>
       block.cube_fine.prefetch(i, F::lanes, cube.texels, cube_pitch(cube.size, cube.levels));
     const LightSums<F> sums = sum_lights(p, args.lights, args.light_list, light_count);
     const Reflectance<F> surface = load_reflectance<F>(g, at);
-    if constexpr (mirror) {
+    if constexpr (environment) {
       store_vector(block.f0, i, surface.f0);
       store_vector(block.albedo, i, surface.albedo);
     }

@@ -43,62 +43,56 @@ TESSERA_INLINE Vec3<F> dominant_direction(const Vec3<F>& n, const Vec3<F>& refle
 template <class F>
 struct LobeView {
   Vec3<F> n, tangent;  // v = sin_v tangent + NoV n
-  F NoV, sin_v, alpha, alpha2;
+  F NoV, sin_v, alpha;
   F hx, hz;  // v', unit
-  F s;       // (1 + hz) / 2
   F root_v;  // Smith's root of NoV
 };
 
+/// n and v unit, nv = n.v, r (perceptual) in [0, 1].
 template <class F>
-TESSERA_INLINE LobeView<F> lobe_view(const ShadingPoint<F>& p) {
+TESSERA_INLINE LobeView<F> lobe_view(const Vec3<F>& n, const Vec3<F>& v, F nv, F r) {
   LobeView<F> w;
-  w.n = p.n;
-  const Vec3<F> across = p.v - p.n * p.nv;
+  w.n = n;
+  const Vec3<F> across = v - n * nv;
   w.tangent = across * (F(1) / sqrt(max(dot(across, across), F(1e-20))));  // v = n: any direction, even none
-  w.NoV = p.NoV;
-  w.sin_v = sqrt(max(neg_mul_add(p.NoV, p.NoV, F(1)), F(0)));
-  w.alpha = p.roughness * p.roughness;
-  w.alpha2 = w.alpha * w.alpha;
+  w.NoV = clamp_NoV(nv);
+  w.sin_v = sqrt(max(neg_mul_add(w.NoV, w.NoV, F(1)), F(0)));
+  w.alpha = r * r;
   const F x = w.alpha * w.sin_v;
-  const F scale = F(1) / sqrt(mul_add(x, x, p.NoV * p.NoV));  // NoV >= 1e-4
+  const F scale = F(1) / sqrt(mul_add(x, x, w.NoV * w.NoV));  // NoV >= 1e-4
   w.hx = x * scale;
-  w.hz = p.NoV * scale;
-  w.s = mul_add(w.hz, F(0.5), F(0.5));
-  w.root_v = smith_root_GGX(p.NoV, w.alpha2);
+  w.hz = w.NoV * scale;
+  w.root_v = smith_root_GGX(w.NoV, w.alpha * w.alpha);
   return w;
+}
+/// s of the disc.
+template <class F>
+TESSERA_INLINE F upper_part(const LobeView<F>& w) {
+  return mul_add(w.hz, F(0.5), F(0.5));
 }
 
 /// G2(v, l) / G1(v) at n.l; 0 below the horizon. Heitz 2014, eq. 99 over eq. 43.
 template <class F>
 TESSERA_INLINE F visible_weight(const LobeView<F>& w, F nl) {
   const F NoL = max(nl, F(0));
-  const F masked = mul_add(NoL, w.root_v, w.NoV * smith_root_GGX(NoL, w.alpha2));
+  const F masked = mul_add(NoL, w.root_v, w.NoV * smith_root_GGX(NoL, w.alpha * w.alpha));
   return NoL * (w.NoV + w.root_v) / max(masked, F(1e-20));  // 1e-20: a mirror at the horizon has neither
 }
 
+/// A round lobe of those that make up the whole: radiance is looked up along `axis` (not unit) at roughness `r`.
 template <class F>
-struct LobeSum {
-  Vec3<F> radiance = {F(0), F(0), F(0)};
-  F weight = F(0);
+struct Tap {
+  Vec3<F> axis;
+  F r, weight;
 };
 
 /// A wide round lobe reaches below the horizon of the surface, where the lobe that it stands for has nothing: its axis
 /// leans towards the normal, by lean alpha^2.
-template <class Texels, class F>
-TESSERA_INLINE void add_tap(const EnvironmentView& environment, const Vec3<F>& n, const Vec3<F>& l, F alpha, F lean,
-                            F weight, LobeSum<F>& sum) {
+template <class F>
+TESSERA_INLINE Tap<F> leaning_tap(const Vec3<F>& n, const Vec3<F>& l, F alpha, F lean, F weight) {
   const F a = min(alpha, F(1));
   const F leaning = a * a * lean;
-  const Vec3<F> axis = lerp(l, n, leaning);
-  const Vec3<F> radiance = sample_cube<Texels>(environment.specular, axis, specular_level(environment, sqrt(a)));
-  sum.radiance = {mul_add(weight, radiance.x, sum.radiance.x), mul_add(weight, radiance.y, sum.radiance.y),
-                  mul_add(weight, radiance.z, sum.radiance.z)};
-  sum.weight = sum.weight + weight;
-}
-
-template <class F>
-TESSERA_INLINE Vec3<F> mean_of(const LobeSum<F>& sum) {
-  return sum.radiance * (F(1) / max(sum.weight, F(1e-20)));  // all below the horizon: black
+  return {lerp(l, n, leaning), sqrt(a), weight};
 }
 
 // Points in the plane of incidence: the nodes of Gauss-Chebyshev quadrature of the second kind, which is exact for the
@@ -118,29 +112,25 @@ struct TapSet<4> {
   static constexpr double width = 1.07, narrowing = 0.4, lean = 0.7;
 };
 
-/// Mean radiance over the lobe by `count` taps along its long axis. The nodes spread with the sine of the view angle:
-/// seen along the normal the lobe is round and all taps are one.
-template <class Texels, int count, class F>
-inline Vec3<F> sample_along_axis(const EnvironmentView& environment, const ShadingPoint<F>& p) {
+/// Tap k of `count` along the lobe's long axis. The nodes spread with the sine of the view angle: seen along the normal
+/// the lobe is round and all taps are one.
+template <int count, class F>
+TESSERA_INLINE Tap<F> axis_tap(const LobeView<F>& w, int k) {
   using Set = TapSet<count>;
-  const LobeView<F> w = lobe_view(p);
-  const F middle = F(1) - w.s, reach = w.s * w.sin_v, wide = w.alpha * F(Set::width);
-  LobeSum<F> sum;
-  for (int k = 0; k < count; ++k) {
-    const F node = F(k & 1 ? -Set::node[k >> 1] : Set::node[k >> 1]);
-    const F y = mul_add(reach, node, middle), y2 = y * y;
-    const F z = sqrt(max(F(1) - y2, F(0)));
-    const F bx = w.alpha * mul_sub(w.hx, z, w.hz * y);
-    const F bz = max(mul_add(w.hx, y, w.hz * z), F(0));
-    const F per_b2 = F(1) / max(mul_add(bx, bx, bz * bz), F(1e-30));
-    const F vb = max(mul_add(w.sin_v, bx, w.NoV * bz), F(0)) * per_b2;
-    const F lx = mul_sub(vb + vb, bx, w.sin_v), lz = mul_sub(vb + vb, bz, w.NoV);
-    const Vec3<F> l = {mul_add(w.n.x, lz, w.tangent.x * lx), mul_add(w.n.y, lz, w.tangent.y * lx),
-                       mul_add(w.n.z, lz, w.tangent.z * lx)};
-    const F alpha = wide * vb * neg_mul_add(y2, F(Set::narrowing), F(1));
-    add_tap<Texels>(environment, w.n, l, alpha, F(Set::lean), F(Set::weight[k >> 1]) * visible_weight(w, lz), sum);
-  }
-  return mean_of(sum);
+  const F s = upper_part(w);
+  const F middle = F(1) - s, reach = s * w.sin_v, wide = w.alpha * F(Set::width);
+  const F node = F(k & 1 ? -Set::node[k >> 1] : Set::node[k >> 1]);
+  const F y = mul_add(reach, node, middle), y2 = y * y;
+  const F z = sqrt(max(F(1) - y2, F(0)));
+  const F bx = w.alpha * mul_sub(w.hx, z, w.hz * y);
+  const F bz = max(mul_add(w.hx, y, w.hz * z), F(0));
+  const F per_b2 = F(1) / max(mul_add(bx, bx, bz * bz), F(1e-30));
+  const F vb = max(mul_add(w.sin_v, bx, w.NoV * bz), F(0)) * per_b2;
+  const F lx = mul_sub(vb + vb, bx, w.sin_v), lz = mul_sub(vb + vb, bz, w.NoV);
+  const Vec3<F> l = {mul_add(w.n.x, lz, w.tangent.x * lx), mul_add(w.n.y, lz, w.tangent.y * lx),
+                     mul_add(w.n.z, lz, w.tangent.z * lx)};
+  const F alpha = wide * vb * neg_mul_add(y2, F(Set::narrowing), F(1));
+  return leaning_tap(w.n, l, alpha, F(Set::lean), F(Set::weight[k >> 1]) * visible_weight(w, lz));
 }
 
 // Points of the whole disc, in pairs (+-x, y); fitted with the two constants to the same integrals as the taps above:
@@ -148,33 +138,29 @@ inline Vec3<F> sample_along_axis(const EnvironmentView& environment, const Shadi
 inline constexpr float disc_x[4] = {0.154f, 0.575f, 0.015f, 0.324f}, disc_y[4] = {0.0f, 0.118f, 0.698f, -0.620f};
 inline constexpr double disc_share = 1.6, disc_lean = 1.0;
 
-/// Mean radiance over the lobe by eight fixed points, each read at the width that it stands for: filtered importance
-/// sampling (Krivanek and Colbert 2008) at run time, over prefiltered radiance. The density of l at a point is G1(v) D
-/// / (4 n.v) with D = |b|^4 / (pi alpha^2), the round lobe's at its peak 1 / (4 pi alpha'^2): N points share the lobe
-/// at alpha' = alpha / |b|^2 sqrt(c (n.v + root(n.v)) / 2N).
-template <class Texels, class F>
-inline Vec3<F> sample_points(const EnvironmentView& environment, const ShadingPoint<F>& p) {
-  const LobeView<F> w = lobe_view(p);
+/// Point k of eight, each read at the width that it stands for: filtered importance sampling (Krivanek and Colbert
+/// 2008) at run time, over prefiltered radiance. The density of l at a point is G1(v) D / (4 n.v) with D = |b|^4 / (pi
+/// alpha^2), the round lobe's at its peak 1 / (4 pi alpha'^2): N points share the lobe at alpha' = alpha / |b|^2
+/// sqrt(c (n.v + root(n.v)) / 2N).
+template <class F>
+TESSERA_INLINE Tap<F> disc_tap(const LobeView<F>& w, int k) {
   const Vec3<F> bitangent = cross(w.n, w.tangent);
   const F share = w.alpha * sqrt((w.NoV + w.root_v) * F(disc_share / 16));
-  LobeSum<F> sum;
-  for (int k = 0; k < 8; ++k) {
-    const F x = F(k & 1 ? -disc_x[k >> 1] : disc_x[k >> 1]);
-    const F inside = F(1) - x * x;
-    const F y = mul_add(w.s, F(disc_y[k >> 1]), (F(1) - w.s) * sqrt(inside));
-    const F z = sqrt(max(neg_mul_add(y, y, inside), F(0)));
-    const F bx = w.alpha * mul_sub(w.hx, z, w.hz * y), by = w.alpha * x;
-    const F bz = max(mul_add(w.hx, y, w.hz * z), F(0));
-    const F per_b2 = F(1) / max(mul_add(bx, bx, mul_add(by, by, bz * bz)), F(1e-30));
-    const F vb = max(mul_add(w.sin_v, bx, w.NoV * bz), F(0)) * per_b2;
-    const F twice = vb + vb;
-    const F lx = mul_sub(twice, bx, w.sin_v), ly = twice * by, lz = mul_sub(twice, bz, w.NoV);
-    const Vec3<F> l = {mul_add(w.n.x, lz, mul_add(bitangent.x, ly, w.tangent.x * lx)),
-                       mul_add(w.n.y, lz, mul_add(bitangent.y, ly, w.tangent.y * lx)),
-                       mul_add(w.n.z, lz, mul_add(bitangent.z, ly, w.tangent.z * lx))};
-    add_tap<Texels>(environment, w.n, l, share * per_b2, F(disc_lean), visible_weight(w, lz), sum);
-  }
-  return mean_of(sum);
+  const F s = upper_part(w);
+  const F x = F(k & 1 ? -disc_x[k >> 1] : disc_x[k >> 1]);
+  const F inside = F(1) - x * x;
+  const F y = mul_add(s, F(disc_y[k >> 1]), (F(1) - s) * sqrt(inside));
+  const F z = sqrt(max(neg_mul_add(y, y, inside), F(0)));
+  const F bx = w.alpha * mul_sub(w.hx, z, w.hz * y), by = w.alpha * x;
+  const F bz = max(mul_add(w.hx, y, w.hz * z), F(0));
+  const F per_b2 = F(1) / max(mul_add(bx, bx, mul_add(by, by, bz * bz)), F(1e-30));
+  const F vb = max(mul_add(w.sin_v, bx, w.NoV * bz), F(0)) * per_b2;
+  const F twice = vb + vb;
+  const F lx = mul_sub(twice, bx, w.sin_v), ly = twice * by, lz = mul_sub(twice, bz, w.NoV);
+  const Vec3<F> l = {mul_add(w.n.x, lz, mul_add(bitangent.x, ly, w.tangent.x * lx)),
+                     mul_add(w.n.y, lz, mul_add(bitangent.y, ly, w.tangent.y * lx)),
+                     mul_add(w.n.z, lz, mul_add(bitangent.z, ly, w.tangent.z * lx))};
+  return leaning_tap(w.n, l, share * per_b2, F(disc_lean), visible_weight(w, lz));
 }
 
 }  // namespace

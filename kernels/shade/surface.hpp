@@ -80,31 +80,5 @@ TESSERA_INLINE F clamp_NoV(F nv) {
   return clamp(nv, F(1e-4), F(1));
 }
 
-/// A surface seen from the eye: all that no light changes.
-template <class F>
-struct ShadingPoint {
-  Vec3<F> n, v;
-  F nv;   // n.v as it is; negative where a shading normal turns away from the eye
-  F NoV;  // in [1e-4,1]
-  Vec3<F> f0;
-  Vec3<F> albedo;  // of the diffuse part
-  F roughness, occlusion;
-};
-
-template <class F>
-TESSERA_INLINE ShadingPoint<F> shading_point(const GBufferView& g, std::uint32_t i, const float eye[4]) {
-  ShadingPoint<F> p;
-  p.n = load_normal<F>(g, i);
-  p.v = normalize(to_eye(load_position<F>(g, i), eye));
-  p.nv = dot(p.n, p.v);
-  p.NoV = clamp_NoV(p.nv);
-  const Reflectance<F> reflectance = load_reflectance<F>(g, i);
-  p.f0 = reflectance.f0;
-  p.albedo = reflectance.albedo;
-  p.roughness = load_roughness<F>(g, i);
-  p.occlusion = load_occlusion<F>(g, i);
-  return p;
-}
-
 }  // namespace
 }  // namespace tessera::TESSERA_ISA

@@ -21,12 +21,11 @@ namespace {
 template <bool lights, class F>
 TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& block, int i, const float sh[9][3]) {
   const std::uint32_t at = block.first + std::uint32_t(i);
-  const Reflectance<F> surface = lights ? Reflectance<F>{load_vector<F>(block.f0, i), load_vector<F>(block.albedo, i)}
-                                        : load_reflectance<F>(g, at);
+  const Reflectance<F> surface = block_reflectance<lights, F>(g, block, i);
   const F weight = schlick_weight(clamp_NoV(load<F>(block.nv + i)));
   const EnvironmentSplit<F> split = multiple_scattering_FdezAguera(
       surface.f0, load<F>(block.A + i), load<F>(block.B + i), weight, load<F>(block.roughness + i));
-  const Vec3<F> specular = load_vector<F>(block.mirrored, i);
+  const Vec3<F> specular = load_vector<F>(block.specular, i);
   const Vec3<F> diffuse = irradiance(sh, load_vector<F>(block.n, i));
   const F occlusion = load_occlusion<F>(g, at);
   const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n) {
@@ -40,20 +39,20 @@ TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& bloc
 
 /// The last stage: all that a block sends to the eye, summed.
 template <std::uint32_t Features, bool plain, class F>
-inline void finish(const ShadeArgs& args, const Block& block) {
+inline void finish(const ShadeArgs& args, const Block& block, const OptionsBlock* options) {
+  constexpr bool lights = (Features & feature_lights) != 0;
   const GBufferView g = args.gbuffer;
   for (int i = 0; i < block.count; i += F::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
     // A cache line holds sixteen.
     if (args.fetch_ahead != 0 && i % 16 == 0) prefetch_surface(g, std::size_t{at} + args.fetch_ahead);
     Vec3<F> radiance = {F(0), F(0), F(0)};
-    if constexpr (Features & feature_lights)
+    if constexpr (lights)
       radiance = {load<F>(args.radiance[0] + at), load<F>(args.radiance[1] + at), load<F>(args.radiance[2] + at)};
     if constexpr ((Features & feature_environment) && plain)
-      radiance = radiance +
-                 shade_environment<(Features & feature_lights) != 0, F>(g, block, i, args.environment.irradiance_sh);
+      radiance = radiance + shade_environment<lights, F>(g, block, i, args.environment.irradiance_sh);
     else if constexpr (Features & feature_environment)
-      radiance = radiance + shade_environment_options(shading_point<F>(g, at, args.eye), args);
+      radiance = radiance + shade_environment_options<lights>(args, block, *options, i);
     if constexpr (Features & feature_emissive) radiance = radiance + load_clamped<F>(g.emissive, at, 0, max_radiance);
     if constexpr (Features & feature_unlit)
       radiance = select<F>(load<F>(g.unlit + at) > F(0.5), load_clamped<F>(g.base_color, at, 0, 1), radiance);
@@ -68,24 +67,27 @@ inline void finish(const ShadeArgs& args, const Block& block) {
 /// that of args, says how many lights there are for these fragments.
 template <std::uint32_t Features, bool plain>
 inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
-  constexpr bool lights = Features & feature_lights, mirror = (Features & feature_environment) && plain;
+  constexpr bool lights = Features & feature_lights, environment = Features & feature_environment;
+  constexpr bool mirror = environment && plain;
   Block block;
+  OptionsBlock options;
   for (block.first = 0; block.first < args.count; block.first += block_size) {
     const int left = static_cast<int>(args.count - block.first);
     block.count = left < block_size ? (left + Wide::lanes - 1) / Wide::lanes * Wide::lanes : block_size;
-    if constexpr (lights || mirror) find_directions<mirror, Wide>(args, block);
+    if constexpr (lights || environment) find_directions<mirror, Wide>(args, block);
     if constexpr (mirror) {
       find_dfg_footprints<Wide>(args, block);
       find_cube_footprints<Wide>(args, block);
       read_dfg(args, block);
+    } else if constexpr (environment) {
+      sample_environment_options(args, block, options);
     }
-    if constexpr (lights) shade_lights<mirror, Wide>(args, light_count, block);
-    if constexpr (mirror) {
-      read_cube(args, block);
-      finish<Features, plain, Wide>(args, block);
-    } else {
-      finish<Features, plain, Float>(args, block);  // of the environment's options, two vectors would not fit
-    }
+    if constexpr (lights) shade_lights<environment, mirror, Wide>(args, light_count, block);
+    if constexpr (mirror) read_cube<HalfTexels>(args, block);
+    if constexpr (plain)
+      finish<Features, plain, Wide>(args, block, nullptr);
+    else
+      finish<Features, plain, Float>(args, block, &options);
   }
 }
 
