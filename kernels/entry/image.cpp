@@ -9,6 +9,18 @@ namespace {
 // 0..1 -> 0..255, halves up; NaN and negative values -> 0.
 TESSERA_INLINE Int to_byte(Float x) { return truncate_to_int(mul_add(saturate(x), Float(255), Float(0.5))); }
 
+// to_byte(linear_to_srgb(x)), or its neighbour where x is within 2e-4 of a byte of the middle between two: for eight bits
+// a logarithm and a power in single precision are enough.
+TESSERA_INLINE Int srgb_byte(Float x) {
+  // IEC 61966-2-1:1999, clause 5.2.
+  const Float c = clamp(x, Float(0.0031308), Float(1));
+  const Float exponent = log2_positive(c) * Float(1.0 / 2.4);
+  const Int whole = round_to_int(exponent);
+  const Float power = from_bits(bits(exp2_fraction(exponent - to_float(whole))) + (whole << 23));
+  const Float curved = mul_sub(power, Float(1.055), Float(0.055));
+  return to_byte(select(x > Float(0.0031308), curved, x * Float(12.92)));
+}
+
 // One pixel per lane, linear premultiplied RGBA -> the four bytes of a pixel, red lowest.
 template <ToneCurve curve>
 TESSERA_INLINE Int encode_pixels(Vec3<Float> premultiplied, Float alpha, Float exposure) {
@@ -20,28 +32,38 @@ TESSERA_INLINE Int encode_pixels(Vec3<Float> premultiplied, Float alpha, Float e
   if constexpr (curve == ToneCurve::reinhard) c = tone_reinhard(c);
   if constexpr (curve == ToneCurve::aces) c = tone_aces(c);
   if constexpr (curve == ToneCurve::khronos_neutral) c = tone_khronos_neutral(c);
-  const auto display = [](Float channel) { return to_byte(linear_to_srgb(saturate(channel))); };
-  return display(c.x) | (display(c.y) << 8) | (display(c.z) << 16) | (to_byte(alpha) << 24);
+  return srgb_byte(c.x) | (srgb_byte(c.y) << 8) | (srgb_byte(c.z) << 16) | (to_byte(alpha) << 24);
 }
 
 template <ToneCurve curve>
 void encode_as(const EncodeArgs& args) {
   constexpr std::size_t lanes = Float::lanes;
   const auto encode_vector = [&](const float* rgba) {
-    const Int red = lane_index() << 2;
-    const Vec3<Float> color{gather(rgba, red), gather(rgba + 1, red), gather(rgba + 2, red)};
-    return encode_pixels<curve>(color, gather(rgba + 3, red), Float(args.exposure));
+    Float channel[4];
+    load_quads(rgba, channel);
+    return encode_pixels<curve>({channel[0], channel[1], channel[2]}, channel[3], Float(args.exposure));
   };
-  std::size_t i = 0;
-  for (; i + lanes <= args.count; i += lanes) {
-    const Int pixels = encode_vector(args.rgba + 4 * i);
-    __builtin_memcpy(args.out + 4 * i, &pixels, sizeof pixels);
+  // Red, green and blue of `count` pixels; each pixel's fourth byte is the next one's first.
+  const auto store_rgb = [&](Int pixels, std::size_t count, std::uint8_t* out) {
+    std::uint32_t words[lanes];
+    __builtin_memcpy(words, &pixels, sizeof words);
+    for (std::size_t k = 0; k + 1 < count; ++k) __builtin_memcpy(out + 3 * k, &words[k], 4);
+    __builtin_memcpy(out + 3 * (count - 1), &words[count - 1], 3);
+  };
+  for (std::size_t i = 0; i < args.count; i += lanes) {
+    const std::size_t left = args.count - i, count = left < lanes ? left : lanes;
+    const float* rgba = args.rgba + 4 * i;
+    float rest[4 * lanes] = {};
+    if (count < lanes) {
+      for (std::size_t k = 0; k < 4 * count; ++k) rest[k] = rgba[k];
+      rgba = rest;
+    }
+    const Int pixels = encode_vector(rgba);
+    if (args.channels == 3)
+      store_rgb(pixels, count, args.out + 3 * i);
+    else
+      __builtin_memcpy(args.out + 4 * i, &pixels, 4 * count);
   }
-  if (i == args.count) return;
-  float rest[4 * lanes] = {};
-  for (std::size_t k = 0; k < 4 * (args.count - i); ++k) rest[k] = args.rgba[4 * i + k];
-  const Int pixels = encode_vector(rest);
-  __builtin_memcpy(args.out + 4 * i, &pixels, 4 * (args.count - i));
 }
 
 // How many inputs an output covers along an axis of this size. Halving an odd size 2n + 1 to n, an output spans

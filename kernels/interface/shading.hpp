@@ -173,7 +173,8 @@ struct EncodeArgs {   // film -> what a display shows
   std::size_t count;  // pixels
   float exposure;     // factor, applied before the curve
   ToneCurve curve;
-  std::uint8_t* out;  // sRGB-encoded RGBA, straight alpha (PNG's convention)
+  std::uint8_t* out;  // sRGB-encoded RGBA, straight alpha (PNG's convention); or RGB
+  int channels = 4;
 };
 
 }  // namespace tessera

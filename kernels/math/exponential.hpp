@@ -91,16 +91,22 @@ TESSERA_INLINE F logarithm_or_special(F x, F value) {
   return select((x > F(0)) & (x < infinity), value, outside);
 }
 
-// Base-2 logarithm. At most 1.1 ulp.
+// log2 of a positive finite number; anything for other x.
 template <class F>
-inline F log2(F x) {
+TESSERA_INLINE F log2_positive(F x) {
   const SplitFloat<F> s = split_exponent(x);
   const F f = s.mantissa - F(1);
   const F tail = log1p_tail(f);
   // (f + tail) / ln 2, 1 / ln 2 in two parts.
   const F low = mul_add(tail, F(0x1.715476p+0), f * F(0x1.4ae0c0p-26));
   const F log2_mantissa = mul_add(f, F(0x1.715476p+0), low);
-  return logarithm_or_special(x, s.exponent + log2_mantissa);
+  return s.exponent + log2_mantissa;
+}
+
+// Base-2 logarithm. At most 1.1 ulp.
+template <class F>
+inline F log2(F x) {
+  return logarithm_or_special(x, log2_positive(x));
 }
 
 // Natural logarithm. At most 1 ulp.

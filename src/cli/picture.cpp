@@ -84,12 +84,8 @@ std::vector<unsigned char> encode_picture(const Look& look, const Image& image, 
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   std::vector<unsigned char> bytes(width * height * static_cast<std::size_t>(channels));
   parallel_for(height, [&](std::size_t y) {
-    std::vector<std::uint8_t> row(channels == 4 ? 0 : width * 4);
-    std::uint8_t* const out = channels == 4 ? bytes.data() + y * width * 4 : row.data();
-    kernels.encode({image.at(0, static_cast<int>(y)), width, look.exposure, look.curve, out});
-    if (channels == 4) return;
-    unsigned char* rgb = bytes.data() + y * width * 3;
-    for (std::size_t x = 0; x < width; ++x) std::copy_n(row.data() + x * 4, 3, rgb + x * 3);
+    kernels.encode({image.at(0, static_cast<int>(y)), width, look.exposure, look.curve,
+                    bytes.data() + y * width * static_cast<std::size_t>(channels), channels});
   });
   return bytes;
 }
