@@ -82,27 +82,29 @@ inline void write_fragments(const VisibilityTile& tile, const SetupTriangle& tri
   }
 }
 
+/// The fragments of a vector of pixels whose samples all see the same: `triangle`, or nothing.
+TESSERA_INLINE std::uint32_t uniform_fragments(Int triangle, int first, std::uint32_t samples, Fragment* out) {
+  const Mask seen = triangle != Int(no_triangle);
+  if (none(seen)) return 0;
+  if (all(seen)) {  // a Fragment is two words: the triangle, and the pixel below the samples
+    static_assert(offsetof(Fragment, pixel) == 4 && offsetof(Fragment, samples) == 6);
+    store_pairs(out, triangle, lane_index() + Int(first + static_cast<std::int32_t>(samples << 16)));
+    return std::uint32_t(Int::lanes);
+  }
+  alignas(64) std::int32_t pixels[Int::lanes], triangles[Int::lanes];
+  const int n = compress_store(triangles, triangle, seen);
+  compress_store(pixels, lane_index() + Int(first), seen);
+  for (int i = 0; i < n; ++i)
+    out[i] = {std::uint32_t(triangles[i]), static_cast<std::uint16_t>(pixels[i]), static_cast<std::uint16_t>(samples)};
+  return static_cast<std::uint32_t>(n);
+}
+
 /// One sample per pixel: the pixels that are not empty.
 inline std::uint32_t visible_single(const VisibilityTile& tile, Fragment* out) {
   std::uint32_t count = 0;
-  alignas(64) std::int32_t pixels[Int::lanes], triangles[Int::lanes];
   const auto* plane = reinterpret_cast<const std::int32_t*>(tile.triangle);
-  for (int first = 0; first < tile_pixels; first += Int::lanes) {  // what lies outside of the visible part is empty
-    const Int triangle = load_int<Int>(plane + first);
-    const Mask seen = triangle != Int(no_triangle);
-    if (none(seen)) continue;
-    if (all(seen)) {  // a Fragment is two words: the triangle, and the pixel below the samples
-      static_assert(offsetof(Fragment, pixel) == 4 && offsetof(Fragment, samples) == 6);
-      store_pairs(out + count, triangle, lane_index() + Int(first + (1 << 16)));
-      count += std::uint32_t(Int::lanes);
-      continue;
-    }
-    const int n = compress_store(triangles, triangle, seen);
-    compress_store(pixels, lane_index() + Int(first), seen);
-    for (int i = 0; i < n; ++i) {
-      out[count++] = {std::uint32_t(triangles[i]), static_cast<std::uint16_t>(pixels[i]), 1};
-    }
-  }
+  for (int first = 0; first < tile_pixels; first += Int::lanes)  // what lies outside of the visible part is empty
+    count += uniform_fragments(load_int<Int>(plane + first), first, 1, out + count);
   return count;
 }
 
@@ -131,6 +133,10 @@ inline std::uint32_t visible_multi(const VisibilityTile& tile, Fragment* out) {
     const Int triangle = load_int<Int>(plane + first);
     Mask same(true);
     for (int s = 1; s < tile.samples; ++s) same &= load_int<Int>(plane + s * tile_pixels + first) == triangle;
+    if (all(same)) {
+      count += uniform_fragments(triangle, first, all_samples, out + count);
+      continue;
+    }
     const std::uint32_t uniform = to_bits(same), empty = to_bits(triangle == Int(no_triangle)) & uniform;
     for (std::uint32_t left = to_bits(Mask(true)) & ~empty; left != 0; left &= left - 1) {
       const int pixel = first + __builtin_ctz(left);

@@ -45,17 +45,21 @@ TESSERA_INLINE __m256 gather(const void* base, __m256i index) {
 
 // 64 bits per lane, by bytes.
 TESSERA_INLINE void gather_pairs(const void* base, __m256i offset, __m256i& low, __m256i& high) {
-  const auto* values = static_cast<const long long*>(base);
-  const __m256i zero = _mm256_setzero_si256(), all = _mm256_set1_epi32(-1);
-  const __m256 a =
-      _mm256_castsi256_ps(_mm256_mask_i32gather_epi64(zero, values, _mm256_castsi256_si128(offset), all, 1));
-  const __m256 b =
-      _mm256_castsi256_ps(_mm256_mask_i32gather_epi64(zero, values, _mm256_extracti128_si256(offset, 1), all, 1));
-  // Lanes 0 1 4 5 | 2 3 6 7, put in order in pairs.
-  const __m256i mixed_low = _mm256_castps_si256(_mm256_shuffle_ps(a, b, 0x88));
-  const __m256i mixed_high = _mm256_castps_si256(_mm256_shuffle_ps(a, b, 0xdd));
-  low = _mm256_permute4x64_epi64(mixed_low, 0xd8);
-  high = _mm256_permute4x64_epi64(mixed_high, 0xd8);
+  alignas(32) std::int32_t at[8];
+  _mm256_store_si256(reinterpret_cast<__m256i*>(at), offset);
+  asm("" : "+m"(at));            // the compiler would take lanes out by shuffles
+  const auto two = [&](int i) {  // lanes i and i + 1
+    const auto pair = [&](int k) {
+      return reinterpret_cast<const double*>(static_cast<const char*>(base) + at[i + k]);
+    };
+    return _mm_castpd_si128(_mm_loadh_pd(_mm_load_sd(pair(0)), pair(1)));
+  };
+  const auto join = [](__m128i a, __m128i b) {
+    return _mm256_castsi256_ps(_mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1));
+  };
+  const __m256 a = join(two(0), two(4)), b = join(two(2), two(6));
+  low = _mm256_castps_si256(_mm256_shuffle_ps(a, b, 0x88));
+  high = _mm256_castps_si256(_mm256_shuffle_ps(a, b, 0xdd));
 }
 
 // Sixteen bits in the low half of each lane.

@@ -49,14 +49,23 @@ TESSERA_INLINE __m512 gather(const void* base, __m512i index) {
 
 // 64 bits per lane, by bytes.
 TESSERA_INLINE void gather_pairs(const void* base, __m512i offset, __m512i& low, __m512i& high) {
-  const __m512i zero = _mm512_setzero_si512();
-  const __m256i below = _mm512_maskz_extracti64x4_epi64(0xff, offset, 0);
-  const __m256i above = _mm512_maskz_extracti64x4_epi64(0xff, offset, 1);
-  const __m512i a = _mm512_mask_i32gather_epi64(zero, 0xff, below, base, 1);
-  const __m512i b = _mm512_mask_i32gather_epi64(zero, 0xff, above, base, 1);
-  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-  low = _mm512_permutex2var_epi32(a, even, b);
-  high = _mm512_permutex2var_epi32(a, _mm512_add_epi32(even, _mm512_set1_epi32(1)), b);
+  alignas(64) std::int32_t at[16];
+  _mm512_store_si512(at, offset);
+  asm("" : "+m"(at));            // the compiler would take lanes out by shuffles
+  const auto two = [&](int i) {  // lanes i and i + 1
+    const auto pair = [&](int k) {
+      return reinterpret_cast<const double*>(static_cast<const char*>(base) + at[i + k]);
+    };
+    return _mm_castpd_ps(_mm_loadh_pd(_mm_load_sd(pair(0)), pair(1)));
+  };
+  const auto join = [&](int i) {  // lanes i, i + 1, i + 4, i + 5, ..., i + 13
+    const __m256 near = _mm256_insertf128_ps(_mm256_castps128_ps256(two(i)), two(i + 4), 1);
+    const __m256 far = _mm256_insertf128_ps(_mm256_castps128_ps256(two(i + 8)), two(i + 12), 1);
+    return _mm512_insertf32x8(_mm512_castps256_ps512(near), far, 1);
+  };
+  const __m512 a = join(0), b = join(2);
+  low = _mm512_castps_si512(_mm512_maskz_shuffle_ps(0xffff, a, b, 0x88));
+  high = _mm512_castps_si512(_mm512_maskz_shuffle_ps(0xffff, a, b, 0xdd));
 }
 
 // Sixteen bits in the low half of each lane.

@@ -52,6 +52,7 @@ inline bool sampled_alike(const TextureView& a, const TextureView& b) {
 struct LevelTaps {
   Int texel[4];
   Float right, lower;
+  bool side_by_side;  // in every lane a right texel comes after the left one: nowhere between two edges
 };
 
 struct Footprint {
@@ -99,6 +100,7 @@ inline void level_taps(const TextureSampler& t, Float u, Float v, Int level, Mas
   }
   const Taps<Float> x = linear_taps(u, t.wrap_u, width, nearest);
   const Taps<Float> y = linear_taps(v, t.wrap_v, height, nearest);
+  taps.side_by_side = all(x.second == x.first + Int(1));
   const Int upper = first + y.first * width;
   const Int lower = first + y.second * width;
   taps.texel[0] = upper + x.first;

@@ -31,32 +31,56 @@ inline constexpr float texel_unit(TexelFormat format) {
                                                 : 1.0f;
 }
 
-/// The wanted channels of one texel per lane: unorm as 0..255, their squares as 0..255^2, half floats as they are.
+/// The wanted channels of one texel per lane: unorm as 0..255, their squares as 0..255^2, half floats as they are. low
+/// and high: its words; of formats of four bytes, the first one.
 template <TexelFormat format, unsigned channels>
-inline void fetch_texel(const void* texels, Int index, Float (&out)[4]) {
+TESSERA_INLINE void decode_texel(Int low, Int high, Float (&out)[4]) {
   if constexpr (format == TexelFormat::rgba8_unorm) {
-    const Int rgba = gather_bytes(texels, index << 2);
-    if constexpr (channels & channel_r) out[0] = to_float(rgba & Int(255));
-    if constexpr (channels & channel_g) out[1] = to_float((rgba >> 8) & Int(255));
-    if constexpr (channels & channel_b) out[2] = to_float((rgba >> 16) & Int(255));
-    if constexpr (channels & channel_a) out[3] = to_float(shift_right_logical(rgba, 24));
+    if constexpr (channels & channel_r) out[0] = to_float(low & Int(255));
+    if constexpr (channels & channel_g) out[1] = to_float((low >> 8) & Int(255));
+    if constexpr (channels & channel_b) out[2] = to_float((low >> 16) & Int(255));
+    if constexpr (channels & channel_a) out[3] = to_float(shift_right_logical(low, 24));
   } else if constexpr (format == TexelFormat::rgba8_squares) {
-    const Int rgba = gather_bytes(texels, index << 2);
     const auto square = [](Int x) {
       const Float value = to_float(x & Int(255));
       return value * value;
     };
-    if constexpr (channels & channel_r) out[0] = square(rgba);
-    if constexpr (channels & channel_g) out[1] = square(rgba >> 8);
-    if constexpr (channels & channel_b) out[2] = square(rgba >> 16);
-    if constexpr (channels & channel_a) out[3] = to_float(shift_right_logical(rgba, 24)) * Float(255);
+    if constexpr (channels & channel_r) out[0] = square(low);
+    if constexpr (channels & channel_g) out[1] = square(low >> 8);
+    if constexpr (channels & channel_b) out[2] = square(low >> 16);
+    if constexpr (channels & channel_a) out[3] = to_float(shift_right_logical(low, 24)) * Float(255);
   } else {
-    const IntPair rgba = gather_pairs(texels, index << 3);
     const Int field(0x0fffe000);
-    if constexpr (channels & channel_r) out[0] = expand_half((rgba.low << 13) & field);
-    if constexpr (channels & channel_g) out[1] = expand_half((rgba.low >> 3) & field);
-    if constexpr (channels & channel_b) out[2] = expand_half((rgba.high << 13) & field);
-    if constexpr (channels & channel_a) out[3] = expand_half((rgba.high >> 3) & field);
+    if constexpr (channels & channel_r) out[0] = expand_half((low << 13) & field);
+    if constexpr (channels & channel_g) out[1] = expand_half((low >> 3) & field);
+    if constexpr (channels & channel_b) out[2] = expand_half((high << 13) & field);
+    if constexpr (channels & channel_a) out[3] = expand_half((high >> 3) & field);
+  }
+}
+
+template <TexelFormat format, unsigned channels>
+TESSERA_INLINE void fetch_texel(const void* texels, Int index, Float (&out)[4]) {
+  if constexpr (format == TexelFormat::rgba16_float) {
+    const IntPair rgba = gather_pairs(texels, index << 3);
+    decode_texel<format, channels>(rgba.low, rgba.high, out);
+  } else {
+    const Int rgba = gather_bytes(texels, index << 2);
+    decode_texel<format, channels>(rgba, rgba, out);
+  }
+}
+
+/// A texel and the one after it.
+template <TexelFormat format, unsigned channels>
+TESSERA_INLINE void fetch_texels(const void* texels, Int index, Float (&left)[4], Float (&right)[4]) {
+  if constexpr (format == TexelFormat::rgba16_float) {
+    Float words[4];
+    gather_quads(static_cast<const float*>(texels), index << 1, words);
+    decode_texel<format, channels>(bits(words[0]), bits(words[1]), left);
+    decode_texel<format, channels>(bits(words[2]), bits(words[3]), right);
+  } else {
+    const IntPair words = gather_pairs(texels, index << 2);
+    decode_texel<format, channels>(words.low, words.low, left);
+    decode_texel<format, channels>(words.high, words.high, right);
   }
 }
 
@@ -72,13 +96,19 @@ inline void sample_level(const void* texels, const LevelTaps& taps, bool one_tap
     fetch_texel<format, channels>(texels, taps.texel[0], out);
     return;
   }
-  Float left[4], right[4], top[4], bottom[4];
-  fetch_texel<format, channels>(texels, taps.texel[0], left);
-  fetch_texel<format, channels>(texels, taps.texel[1], right);
-  lerp_channels<channels>(left, right, taps.right, top);
-  fetch_texel<format, channels>(texels, taps.texel[2], left);
-  fetch_texel<format, channels>(texels, taps.texel[3], right);
-  lerp_channels<channels>(left, right, taps.right, bottom);
+  const auto row = [&](Int left_texel, Int right_texel, Float(&blended)[4]) {
+    Float left[4], right[4];
+    if (taps.side_by_side) {
+      fetch_texels<format, channels>(texels, left_texel, left, right);
+    } else {
+      fetch_texel<format, channels>(texels, left_texel, left);
+      fetch_texel<format, channels>(texels, right_texel, right);
+    }
+    lerp_channels<channels>(left, right, taps.right, blended);
+  };
+  Float top[4], bottom[4];
+  row(taps.texel[0], taps.texel[1], top);
+  row(taps.texel[2], taps.texel[3], bottom);
   lerp_channels<channels>(top, bottom, taps.lower, out);
 }
 
