@@ -65,6 +65,7 @@ void write_png(const std::string& path, int width, int height, int channels, con
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("png:compressionLevel", 4);  // a tenth larger than 6, in less than half the time
+  spec.attribute("png:filter", 16 | 32);      // SUB and UP: smaller than with all five, in four fifths of the time
   write_file(path, "png", spec,
              [&](OIIO::ImageOutput& output) { return output.write_image(OIIO::TypeDesc::UINT8, pixels); });
 }
