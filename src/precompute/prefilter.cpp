@@ -24,7 +24,7 @@ struct BrightTexels {
 
   // As light that weighs nothing in a mean: what it was cut off from is there already.
   void append_to(SphereCut& cut) const {
-    const std::pair<AlignedVector<float>*, const AlignedVector<float>*> planes[] = {
+    const std::pair<ScratchVector<float>*, const AlignedVector<float>*> planes[] = {
         {&cut.x, &x}, {&cut.y, &y}, {&cut.z, &z}, {&cut.red, &red}, {&cut.green, &green}, {&cut.blue, &blue}};
     for (const auto& [to, from] : planes) to->insert(to->end(), from->begin(), from->end());
     cut.solid_angle.resize(cut.x.size(), 0.0f);
@@ -148,11 +148,12 @@ class Filter {
   [[nodiscard]] CubeLevel convolve_blocks(int size, float alpha, float width) const {
     CubeLevel level(size);
     const int side = std::min(block_size, size), across = size / side;
+    std::vector<std::pair<SphereTree::Scratch, SphereCut>> workers(static_cast<std::size_t>(thread_count()));
     parallel_for(std::size_t{6} * std::size_t(across) * std::size_t(across), [&](std::size_t block) {
       const int face = int(block) / (across * across), i = int(block) % across * side,
                 j = int(block) / across % across * side;
-      SphereCut cut;
-      tree_.cut(cap_of(face, i, j, side, size), alpha, width, cut);
+      auto& [scratch, cut] = workers[std::size_t(thread_index())];
+      tree_.cut(cap_of(face, i, j, side, size), alpha, width, scratch, cut);
       bright_.append_to(cut);
       kernels_.prefilter_cube({{}, {}, {face, size, j, j + side, level.face(face), i, side}, cut.view(alpha * alpha)});
     });

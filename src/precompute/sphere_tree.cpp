@@ -1,15 +1,14 @@
 #include "precompute/sphere_tree.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/parallel.hpp"
 
 namespace tessera {
 
-void SphereCut::clear() {
-  for (AlignedVector<float>* plane : {&x, &y, &z, &red, &green, &blue, &solid_angle}) plane->clear();
+void SphereCut::resize(std::size_t count) {
+  for (ScratchVector<float>* plane : {&x, &y, &z, &red, &green, &blue, &solid_angle}) plane->resize(count);
 }
 
 PointSources SphereCut::view(float alpha2) const {
@@ -49,38 +48,52 @@ SphereTree::SphereTree(const CubeLevel& radiance) : size_(radiance.size) {
   }
 }
 
-void SphereTree::cut(const Cap& cap, float alpha, float fineness, SphereCut& out) const {
+// Level by level, coarsest first. A node is left out, taken as it is, or opened: which one is as good as random, so
+// that all are written and the counts say what stays.
+void SphereTree::cut(const Cap& cap, float alpha, float fineness, Scratch& scratch, SphereCut& out) const {
   constexpr float quarter_turn = 1.41422f;  // chord from an axis to its horizon
-  struct Entry {
-    int level, face, i, j;
-  };
-  std::array<Entry, 64> stack;  // a level leaves three brothers behind: 6 + 3 * 12 at most
-  int depth = 0;
-  const int last = int(levels_.size()) - 1;
-  for (int face = 0; face < 6; ++face) stack[std::size_t(depth++)] = {last, face, 0, 0};
-  out.clear();
   const float core = 4 * alpha * alpha, limit = fineness * fineness;
-  while (depth > 0) {
-    const Entry e = stack[std::size_t(--depth)];
-    const int n = size_ >> e.level;
-    const Node& node =
-        levels_[std::size_t(e.level)]
-               [(std::size_t(e.face) * std::size_t(n) + std::size_t(e.j)) * std::size_t(n) + std::size_t(e.i)];
-    const float dx = node.x - cap.x, dy = node.y - cap.y, dz = node.z - cap.z;
-    const float distance = std::max(std::sqrt(dx * dx + dy * dy + dz * dz) - cap.radius, 0.0f);
-    if (distance - node.width > quarter_turn) continue;
-    if (e.level > 0 && node.width * node.width > limit * (core + distance * distance)) {
-      for (int k = 0; k < 4; ++k)
-        stack[std::size_t(depth++)] = {e.level - 1, e.face, 2 * e.i + (k & 1), 2 * e.j + (k >> 1)};
-      continue;
+  std::size_t candidates = 6, taken = 0;
+  scratch.places.resize(std::max<std::size_t>(scratch.places.size(), candidates));
+  for (int face = 0; face < 6; ++face) scratch.places[std::size_t(face)] = {face, 0, 0};
+  for (int level = int(levels_.size()) - 1; level >= 0 && candidates != 0; --level) {
+    const int n = size_ >> level;
+    const Node* const nodes = levels_[std::size_t(level)].data();
+    scratch.open.resize(std::max(scratch.open.size(), candidates + 1));
+    scratch.taken.resize(std::max(scratch.taken.size(), taken + candidates + 1));
+    std::size_t opened = 0;
+    for (std::size_t k = 0; k < candidates; ++k) {
+      const Place place = scratch.places[k];
+      const Node& node = nodes[(std::size_t(place.face) * std::size_t(n) + std::size_t(place.j)) * std::size_t(n) +
+                               std::size_t(place.i)];
+      const float dx = node.x - cap.x, dy = node.y - cap.y, dz = node.z - cap.z;
+      const float distance = std::max(std::sqrt(dx * dx + dy * dy + dz * dz) - cap.radius, 0.0f);
+      const bool seen = !(distance - node.width > quarter_turn);
+      const bool wide = (level > 0) & (node.width * node.width > limit * (core + distance * distance));
+      scratch.open[opened] = place;
+      opened += seen & wide;
+      scratch.taken[taken] = &node;
+      taken += seen & !wide;
     }
-    out.x.push_back(node.x);
-    out.y.push_back(node.y);
-    out.z.push_back(node.z);
-    out.red.push_back(node.flux[0]);
-    out.green.push_back(node.flux[1]);
-    out.blue.push_back(node.flux[2]);
-    out.solid_angle.push_back(node.solid_angle);
+    candidates = 4 * opened;
+    scratch.places.resize(std::max(scratch.places.size(), candidates));
+    for (std::size_t k = 0; k < opened; ++k) {
+      const Place place = scratch.open[k];
+      for (int child = 0; child < 4; ++child)
+        scratch.places[4 * k + std::size_t(child)] = {place.face, 2 * place.i + (child & 1),
+                                                      2 * place.j + (child >> 1)};
+    }
+  }
+  out.resize(taken);
+  for (std::size_t k = 0; k < taken; ++k) {
+    const Node& node = *scratch.taken[k];
+    out.x[k] = node.x;
+    out.y[k] = node.y;
+    out.z[k] = node.z;
+    out.red[k] = node.flux[0];
+    out.green[k] = node.flux[1];
+    out.blue[k] = node.flux[2];
+    out.solid_angle[k] = node.solid_angle;
   }
 }
 

@@ -10,14 +10,27 @@ namespace tessera {
 
 /// Texels of several levels that cover the sphere once, or the part of it that a lobe sees.
 struct SphereCut {
-  AlignedVector<float> x, y, z, red, green, blue, solid_angle;
+  ScratchVector<float> x, y, z, red, green, blue, solid_angle;
 
-  void clear();
+  void resize(std::size_t count);
   [[nodiscard]] PointSources view(float alpha2) const;
 };
 
 class SphereTree {
  public:
+  struct Node {
+    float x, y, z, solid_angle, width;
+    float flux[3];
+  };
+  /// Where a node is in its level. What cut() works with is kept by its caller, from cut to cut.
+  struct Place {
+    std::int32_t face, i, j;
+  };
+  struct Scratch {
+    ScratchVector<Place> places, open;
+    ScratchVector<const Node*> taken;
+  };
+
   explicit SphereTree(const CubeLevel& radiance);
 
   /// Directions within `radius` (a chord of the unit sphere) of `centre`: the axes of lobes that share a cut.
@@ -26,13 +39,9 @@ class SphereTree {
   };
   /// Texels for lobes of this alpha around any axis of the cap: those whose width is at most `fineness` times
   /// sqrt(4 alpha^2 + d^2), d their distance from the cap; half spheres behind all horizons left out.
-  void cut(const Cap& cap, float alpha, float fineness, SphereCut& out) const;
+  void cut(const Cap& cap, float alpha, float fineness, Scratch& scratch, SphereCut& out) const;
 
  private:
-  struct Node {
-    float x, y, z, solid_angle, width;
-    float flux[3];
-  };
   std::vector<std::vector<Node>> levels_;  // finest first
   int size_;
 };

@@ -25,9 +25,10 @@ TEST(SphereTree, ACutHoldsAllLightOnce) {
             double(radiance.face(face)[(j * 16 + i) * 4 + 1]) * double(texel_direction(face, i, j, 16).solid_angle);
   const SphereTree tree(radiance);
   SphereCut cut;
+  SphereTree::Scratch scratch;
   std::size_t fewer = 6 * 16 * 16 + 1;
   for (const float fineness : {0.01f, 0.1f, 0.3f, 1.0f}) {
-    tree.cut({0, 0, 1, 2}, 0.3f, fineness, cut);
+    tree.cut({0, 0, 1, 2}, 0.3f, fineness, scratch, cut);
     EXPECT_NEAR(std::accumulate(cut.solid_angle.begin(), cut.solid_angle.end(), 0.0), 4 * std::acos(-1.0), 0.03);
     EXPECT_NEAR(std::accumulate(cut.green.begin(), cut.green.end(), 0.0) / light, 1, 1e-5);
     EXPECT_LT(cut.x.size(), fewer);
@@ -39,9 +40,10 @@ TEST(SphereTree, ACutHoldsAllLightOnce) {
 TEST(SphereTree, TexelsAreAsFineAsAsked) {
   const SphereTree tree(bumpy(64));
   SphereCut cut;
+  SphereTree::Scratch scratch;
   const SphereTree::Cap cap{0.6f, 0, 0.8f, 0.05f};
   constexpr float alpha = 0.1f, fineness = 0.2f;
-  tree.cut(cap, alpha, fineness, cut);
+  tree.cut(cap, alpha, fineness, scratch, cut);
   double above = 0;
   for (std::size_t k = 0; k < cut.x.size(); ++k) {
     const double dx = double(cut.x[k] - cap.x), dy = double(cut.y[k]), dz = double(cut.z[k] - cap.z);
