@@ -92,15 +92,12 @@ TESSERA_INLINE void rasterize_list(const RasterizeArgs& args, const SamplePatter
       const std::uint32_t small = left & to_bits(box.one_group);
       if (small != 0) {
         left &= ~small;
-        prepare_small(t, box, of_small);
-        for (int s = 0; s < (N > 0 ? N : pattern.count); ++s) {
-          const int found =
-              find_items(tile, t, box, from_mask_bits(small), pattern.x[s], pattern.y[s], of_small, items);
-          if (whole_vectors) {
-            draw_items<false>(tile, s, of_small, items, found, counter);
-          } else {
-            draw_items<true>(tile, s, of_small, items, found, counter);
-          }
+        const int samples = N > 0 ? N : pattern.count;
+        const int found = find_items(tile, t, box, from_mask_bits(small), pattern, samples, of_small, items);
+        if (whole_vectors) {
+          draw_items<false>(tile, pattern, samples, of_small, items, found, counter);
+        } else {
+          draw_items<true>(tile, pattern, samples, of_small, items, found, counter);
         }
       }
       prepared = to_bits(box.near);
