@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "base/error.hpp"
@@ -116,7 +117,7 @@ class RowReader {
   std::array<float, 256> linear_, decoded_;
 };
 
-void pack(const AlignedVector<float>& rgba, TexelFormat format, std::byte* out, const Kernels& kernels) {
+void pack(std::span<const float> rgba, TexelFormat format, std::byte* out, const Kernels& kernels) {
   if (format == TexelFormat::rgba16_float) {
     kernels.pack_half(rgba.data(), reinterpret_cast<std::uint16_t*>(out), rgba.size());
     return;
@@ -126,6 +127,35 @@ void pack(const AlignedVector<float>& rgba, TexelFormat format, std::byte* out, 
     const bool square = format == TexelFormat::rgba8_squares && i % 4 != 3;
     out[i] = static_cast<std::byte>(static_cast<int>((square ? std::sqrt(value) : value) * 255.0f + 0.5f));
   }
+}
+
+std::size_t bytes_of(TexelFormat format) { return format == TexelFormat::rgba16_float ? 8 : 4; }
+
+// Levels are made a band of rows at a time: an even number, so that the next level's rows are within one band. Floats
+// of a whole level 0, four times what is kept of it, are never needed together.
+constexpr int band_rows = 32;
+
+int halved(int size) { return std::max(1, size / 2); }
+
+// One level: rows(y, count) gives rows y to y + count as floats; they are packed to `out` and halved to `smaller`. If
+// two rows do not always make one (odd heights), the level has a single band.
+template <class Rows>
+void make_level(int width, int height, TexelFormat format, std::byte* out, ScratchVector<float>* smaller,
+                const Kernels& kernels, const Rows& rows) {
+  const bool pairs = height % 2 == 0;
+  if (smaller != nullptr) smaller->resize(std::size_t{4} * std::size_t(halved(width)) * std::size_t(halved(height)));
+  const int band = pairs || smaller == nullptr ? band_rows : height;
+  const std::size_t row_texels = std::size_t(width);
+  parallel_for(std::size_t((height + band - 1) / band), [&](std::size_t k) {
+    const int y = int(k) * band, count = std::min(band, height - y);
+    rows(y, count, [&](const float* rgba) {
+      pack({rgba, 4 * row_texels * std::size_t(count)}, format, out + std::size_t(y) * row_texels * bytes_of(format),
+           kernels);
+      if (smaller == nullptr) return;
+      float* const next = smaller->data() + std::size_t{4} * std::size_t(halved(width)) * std::size_t(y / 2);
+      kernels.downsample({rgba, width, count, next});
+    });
+  });
 }
 
 TexelFormat format_of(const SourceImage& image, Encoding encoding, ColorTexels colors) {
@@ -145,25 +175,28 @@ TextureData build_texture(const SourceImage& image, Encoding encoding, bool mipm
   data.width = image.width;
   data.height = image.height;
   data.levels = mipmapped ? full_levels(image.width, image.height) : 1;
-  const std::size_t texel_bytes = data.format == TexelFormat::rgba16_float ? 8 : 4;
-  data.texels.resize(texels_of(data.width, data.height, data.levels) * texel_bytes);
-
-  AlignedVector<float> level(std::size_t(image.width) * image.height * 4);
-  RowReader reader(image, encoding, kernels);
-  for (int y = 0; y < image.height; ++y) reader.read(y, level.data() + std::size_t(y) * image.width * 4);
+  data.texels.resize(texels_of(data.width, data.height, data.levels) * bytes_of(data.format));
 
   std::byte* out = data.texels.data();
   int width = image.width, height = image.height;
+  ScratchVector<float> level, smaller;
   for (int k = 0; k < data.levels; ++k) {
-    if (k > 0) {
-      AlignedVector<float> smaller(std::size_t(std::max(1, width / 2)) * std::max(1, height / 2) * 4);
-      kernels.downsample({level.data(), width, height, smaller.data()});
-      level.swap(smaller);
-      width = std::max(1, width / 2);
-      height = std::max(1, height / 2);
-    }
-    pack(level, data.format, out, kernels);
-    out += level.size() / 4 * texel_bytes;
+    ScratchVector<float>* const next = k + 1 < data.levels ? &smaller : nullptr;
+    const std::size_t row_floats = std::size_t{4} * std::size_t(width);
+    if (k == 0)
+      make_level(width, height, data.format, out, next, kernels, [&](int y, int count, const auto& take) {
+        RowReader reader(image, encoding, kernels);
+        ScratchVector<float> rows(row_floats * std::size_t(count));
+        for (int i = 0; i < count; ++i) reader.read(y + i, rows.data() + row_floats * std::size_t(i));
+        take(rows.data());
+      });
+    else
+      make_level(width, height, data.format, out, next, kernels,
+                 [&](int y, int, const auto& take) { take(level.data() + row_floats * std::size_t(y)); });
+    out += std::size_t(width) * std::size_t(height) * bytes_of(data.format);
+    level.swap(smaller);
+    width = halved(width);
+    height = halved(height);
   }
   return data;
 }

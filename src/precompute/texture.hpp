@@ -24,7 +24,7 @@ enum class ColorTexels { halves, bytes };
 struct TextureData {
   TexelFormat format = TexelFormat::rgba8_unorm;
   int width = 0, height = 0, levels = 0;
-  AlignedVector<std::byte> texels;  // level 0 first
+  ScratchVector<std::byte> texels;  // level 0 first
 };
 
 /// Grey becomes (g, g, g), a missing alpha 1. Throws Error(input), naming the image, for one that is empty, too large,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -122,6 +123,41 @@ TEST(Texture, MipsAverageInLinearLight) {
   EXPECT_EQ(value(data, 19), 1);
   data = build_texture(image_of(2, 2, 1, PixelType::u8, checker), Encoding::linear, true, kernels());
   EXPECT_EQ(std::to_integer<int>(data.texels[16]), 128);  // 127.5 rounds up
+}
+
+// What a texel of a smaller axis covers of a larger one.
+double overlap(int small, int small_size, int large, int large_size) {
+  const double scale = double(large_size) / small_size;
+  const double begin = std::max(small * scale, double(large)), end = std::min((small + 1) * scale, large + 1.0);
+  return std::max(end - begin, 0.0) / scale;
+}
+
+TEST(Texture, EveryLevelIsTheAreaMeanOfTheOneAbove) {
+  std::mt19937 random(4);
+  for (const auto& [width, height] : {std::pair{70, 66}, {33, 67}, {64, 130}, {5, 96}, {96, 1}, {1, 40}, {34, 33}}) {
+    std::vector<std::uint8_t> bytes(std::size_t(width * height));
+    for (std::uint8_t& b : bytes) b = std::uint8_t(random());
+    const TextureData data =
+        build_texture(image_of(width, height, 1, PixelType::u8, bytes), Encoding::srgb, true, kernels());
+    std::vector<double> level;
+    for (const std::uint8_t b : bytes) level.push_back(srgb(b / 255.0));
+    std::size_t texel = 0;
+    for (int k = 0, w = width, h = height; k < data.levels; ++k) {
+      for (const double expected : level) ASSERT_NEAR(value(data, 4 * texel++), expected, expected / 2000 + 1e-6) << k;
+      const int half_w = std::max(w / 2, 1), half_h = std::max(h / 2, 1);
+      std::vector<double> next(std::size_t(half_w * half_h));
+      for (int j = 0; j < half_h; ++j)
+        for (int i = 0; i < half_w; ++i)
+          for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x)
+              next[std::size_t(j * half_w + i)] +=
+                  overlap(i, half_w, x, w) * overlap(j, half_h, y, h) * level[std::size_t(y * w + x)];
+      level = next;
+      w = half_w;
+      h = half_h;
+    }
+    EXPECT_EQ(8 * texel, data.texels.size());
+  }
 }
 
 TEST(Texture, LevelsReachOneTexelAndKeepTheMean) {
