@@ -79,7 +79,7 @@ EnvironmentStatistics statistics_of(const EnvironmentPicture& picture, const Ker
 
 CubeLevel resample(const EnvironmentPicture& picture, int size, float rotation, const Kernels& kernels) {
   CubeLevel level(size);
-  const auto [cosine, sine] = turn_by(rotation, kernels);
+  const Turn turn = turn_by(rotation, kernels);
   const Image& image = picture.image;
   const int across = picture.faces ? 2 * picture.face_size() : image.width / 2;
   // At least four points per texel each way, and two per texel of the picture, so that no texel falls between points;
@@ -89,9 +89,10 @@ CubeLevel resample(const EnvironmentPicture& picture, int size, float rotation, 
   for_cube_rows(size, [&](CubeRows rows) {
     rows.out = level.face(rows.face);
     if (picture.faces)
-      kernels.faces_to_cube({{image.pixels.data(), image.width}, {cosine, sine}, samples, rows});
+      kernels.faces_to_cube({{image.pixels.data(), image.width}, {turn.cosine, turn.sine}, samples, rows});
     else
-      kernels.equirect_to_cube({{image.pixels.data(), image.width, image.height}, {cosine, sine}, samples, rows});
+      kernels.equirect_to_cube(
+          {{image.pixels.data(), image.width, image.height}, {turn.cosine, turn.sine}, samples, rows});
   });
   return level;
 }
