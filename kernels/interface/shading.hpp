@@ -152,7 +152,7 @@ struct BackgroundArgs {
   float lod;                      // blur
   float color[3];                 // radiance
   int x, y;                       // pixel coordinates of the tile's first pixel; within +-2^23
-  int width, height;              // visible part: what lies beside it is written, too, or not
+  int width, height;              // visible part; pixels beside it may be written, too
   const float* remaining;  // how much of each pixel's light comes from behind; null: all, and planes are only set
   float* rgba[4];          // added to, and alpha becomes 1 where something remains
 };

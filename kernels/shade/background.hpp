@@ -51,16 +51,10 @@ template <bool blurred, class F>
 
 template <bool blurred>
 [[gnu::noinline]] void read_rays(const BackgroundArgs& args, Rays& rays) {
-  const std::uint16_t* const texels = args.cube.texels;
-  const int pitch = cube_pitch(args.cube.size, args.cube.levels);
+  const CubeView cube = args.cube;
   for (int i = 0; i < block_size; i += Float::lanes) {
-    Float above[4], below[4];
-    rays.fine.gather(i, texels, pitch, above, below);
-    Vec3<Float> radiance = blend(rays.fine.weights(i), decode_texels(above), decode_texels(below));
-    if constexpr (blurred) {
-      rays.coarse.gather(i, texels, pitch, above, below);
-      radiance = radiance + blend(rays.coarse.weights(i), decode_texels(above), decode_texels(below));
-    }
+    Vec3<Float> radiance = read_footprint(HalfTexels{}, cube, rays.fine, i);
+    if constexpr (blurred) radiance = radiance + read_footprint(HalfTexels{}, cube, rays.coarse, i);
     store_vector(rays.radiance, i, clamp_radiance(radiance));
   }
 }
