@@ -9,8 +9,8 @@ namespace {
 // 0..1 -> 0..255, halves up; NaN and negative values -> 0.
 TESSERA_INLINE Int to_byte(Float x) { return truncate_to_int(mul_add(saturate(x), Float(255), Float(0.5))); }
 
-// to_byte(linear_to_srgb(x)), or its neighbour where x is within 2e-4 of a byte of the middle between two: for eight bits
-// a logarithm and a power in single precision are enough.
+// to_byte(linear_to_srgb(x)), or its neighbour where x is within 2e-4 of a byte of the middle between two: for eight
+// bits a logarithm and a power in single precision are enough.
 TESSERA_INLINE Int srgb_byte(Float x) {
   // IEC 61966-2-1:1999, clause 5.2.
   const Float c = clamp(x, Float(0.0031308), Float(1));

@@ -56,7 +56,7 @@ TESSERA_INLINE Barycentrics<F> barycentrics(const ViewTransform& view, const Vec
   const F m2 = max(n[2] * sign, F(0));
   const F sum = m0 + m1 + m2;
   const auto valid = (sum >= F(1e-37)) & (sum <= F(1e37));  // its reciprocal is normal; false for NaN
-  const F scale = F(1) / sum;  // used where valid: nothing waits for the comparisons
+  const F scale = F(1) / sum;                               // used where valid: nothing waits for the comparisons
   const F third = F(1.0 / 3.0);
   b.b0 = select(valid, m0 * scale, third);
   b.b1 = select(valid, m1 * scale, third);
