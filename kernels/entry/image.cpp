@@ -50,10 +50,10 @@ void encode_as(const EncodeArgs& args) {
     for (std::size_t k = 0; k + 1 < count; ++k) __builtin_memcpy(out + 3 * k, &words[k], 4);
     __builtin_memcpy(out + 3 * (count - 1), &words[count - 1], 3);
   };
+  float rest[4 * lanes] = {};  // of the last vector, if there is too little for one
   for (std::size_t i = 0; i < args.count; i += lanes) {
     const std::size_t left = args.count - i, count = left < lanes ? left : lanes;
     const float* rgba = args.rgba + 4 * i;
-    float rest[4 * lanes] = {};
     if (count < lanes) {
       for (std::size_t k = 0; k < 4 * count; ++k) rest[k] = rgba[k];
       rgba = rest;
