@@ -39,7 +39,7 @@ TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& bloc
 
 /// The last stage: all that a block sends to the eye, summed.
 template <std::uint32_t Features, bool plain, class F>
-inline void finish(const ShadeArgs& args, const Block& block, const OptionsBlock* options) {
+inline void finish(const ShadeArgs& args, const Block& block, const OptionsBlock& options) {
   constexpr bool lights = (Features & feature_lights) != 0;
   const GBufferView g = args.gbuffer;
   for (int i = 0; i < block.count; i += F::lanes) {
@@ -52,7 +52,7 @@ inline void finish(const ShadeArgs& args, const Block& block, const OptionsBlock
     if constexpr ((Features & feature_environment) && plain)
       radiance = radiance + shade_environment<lights, F>(g, block, i, args.environment.irradiance_sh);
     else if constexpr (Features & feature_environment)
-      radiance = radiance + shade_environment_options<lights>(args, block, *options, i);
+      radiance = radiance + shade_environment_options<lights>(args, block, options, i);
     if constexpr (Features & feature_emissive) radiance = radiance + load_clamped<F>(g.emissive, at, 0, max_radiance);
     if constexpr (Features & feature_unlit)
       radiance = select<F>(load<F>(g.unlit + at) > F(0.5), load_clamped<F>(g.base_color, at, 0, 1), radiance);
@@ -85,9 +85,9 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
     if constexpr (lights) shade_lights<environment, mirror, Wide>(args, light_count, block);
     if constexpr (mirror) read_cube<HalfTexels>(args, block);
     if constexpr (plain)
-      finish<Features, plain, Wide>(args, block, nullptr);
+      finish<Features, plain, Wide>(args, block, options);
     else
-      finish<Features, plain, Float>(args, block, &options);
+      finish<Features, plain, Float>(args, block, options);
   }
 }
 
