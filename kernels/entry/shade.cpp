@@ -44,19 +44,12 @@ void shade(const ShadeArgs& args) {
 }
 
 void background(const BackgroundArgs& args) {
-  const CubeView& cube = args.cube;
-  if (cube.texels == nullptr) return color_behind(args);
-  const float lod = clamp(args.lod, 0.0f, float(cube.levels - 1));
-  const std::int32_t fine = truncate_to_int(lod);
-  const float coarse_weight = lod - to_float(fine);
-  const auto level = [&](int k, float weight) {
-    return RayLevel{cube_level_start(cube.size, cube.levels, k), float(cube.size >> k) * 0.5f, weight};
-  };
-  const RayLevel levels[2] = {level(fine, 1.0f - coarse_weight), level(fine + 1, coarse_weight)};
-  if (coarse_weight > 0.0f)
-    environment_behind<true>(args, levels);
+  if (args.cube.texels == nullptr) return color_behind(args);
+  const UniformLookup lookup = uniform_lookup(args.cube, args.lod);
+  if (lookup.coarse.weight > 0.0f)
+    environment_behind<true>(args, lookup);
   else
-    environment_behind<false>(args, levels);
+    environment_behind<false>(args, lookup);
 }
 
 std::uint32_t cull_lights(const CullLightsArgs& args) {

@@ -120,12 +120,29 @@ TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F
   return lookup;
 }
 
-/// One level for all lanes.
+/// A level that all lanes are looked up in, and what it counts for.
+struct WholeLevel {
+  int start;  // cube_level_start
+  float half, weight;
+};
+struct UniformLookup {
+  WholeLevel fine, coarse;  // coarse counts for nothing where lod is whole: then there may be no such level
+};
+inline UniformLookup uniform_lookup(const CubeView& cube, float lod) {
+  const float level = clamp(lod, 0.0f, float(cube.levels - 1));
+  const std::int32_t fine = truncate_to_int(level);
+  const float w = level - to_float(fine);
+  const auto whole = [&](int k, float weight) {
+    return WholeLevel{cube_level_start(cube.size, cube.levels, k), float(cube.size >> k) * 0.5f, weight};
+  };
+  return {whole(fine, 1.0f - w), whole(fine + 1, w)};
+}
+/// p: from cube_point(direction, cube_face_texels).
 template <class F>
-TESSERA_INLINE Vec3<F> sample_cube_whole_level(const CubeView& cube, const CubePoint<F>& p, int level, float weight) {
-  const IntOf<F> start = p.face + IntOf<F>(cube_level_start(cube.size, cube.levels, level));
-  const F half = F(cube.size >> level) * F(0.5);
-  return sample_footprint(cube, cube_footprint(p, half, start, cube_pitch(cube.size, cube.levels), F(weight)));
+TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubeView& cube, const CubePoint<F>& p,
+                                                   const WholeLevel& level) {
+  return cube_footprint(p, F(level.half), p.face + IntOf<F>(level.start), cube_pitch(cube.size, cube.levels),
+                        F(level.weight));
 }
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
@@ -143,12 +160,10 @@ inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod
 template <class F>
 inline Vec3<F> sample_cube_uniform(const CubeView& cube, const Vec3<F>& direction, float lod) {
   const CubePoint<F> p = cube_point(direction, cube_face_texels(cube.size, cube.levels));
-  const float level = clamp(lod, 0.0f, float(cube.levels - 1));
-  const std::int32_t fine = truncate_to_int(level);
-  const float w = level - to_float(fine);
-  const Vec3<F> a = sample_cube_whole_level(cube, p, fine, 1.0f - w);
-  if (!(w > 0.0f)) return a;
-  return a + sample_cube_whole_level(cube, p, fine + 1, w);
+  const UniformLookup lookup = uniform_lookup(cube, lod);
+  const Vec3<F> a = sample_footprint(cube, cube_footprint(cube, p, lookup.fine));
+  if (!(lookup.coarse.weight > 0.0f)) return a;
+  return a + sample_footprint(cube, cube_footprint(cube, p, lookup.coarse));
 }
 
 /// E(n) / pi from nine coefficients (EnvironmentView::irradiance_sh), n a unit vector. Clamped to >= 0: a bright sun

@@ -15,12 +15,6 @@ alignas(64) inline constexpr float lane_x[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2
 alignas(64) inline constexpr float lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 static_assert(16 % Wide::lanes == 0);
 
-/// A level of the cube that all rays are looked up in, and what it counts for.
-struct RayLevel {
-  int start;
-  float half, weight;
-};
-
 /// The rays of 64 pixels, four blocks in a row, on their way.
 struct Rays {
   int first;  // of the tile's pixels
@@ -30,9 +24,8 @@ struct Rays {
 
 /// blurred: both levels are looked up.
 template <bool blurred, class F>
-[[gnu::noinline]] void find_ray_footprints(const BackgroundArgs& args, const RayLevel (&levels)[2], Rays& rays) {
+[[gnu::noinline]] void find_ray_footprints(const BackgroundArgs& args, const UniformLookup& lookup, Rays& rays) {
   const int faces = cube_face_texels(args.cube.size, args.cube.levels);
-  const int pitch = cube_pitch(args.cube.size, args.cube.levels);
   for (int i = 0; i < block_size; i += F::lanes) {
     const int pixel = rays.first + i;
     const F x = F(float(args.x + tile_pixel_x(pixel & -16)) + 0.5f) + load<F>(lane_x + pixel % 16);
@@ -41,11 +34,8 @@ template <bool blurred, class F>
       return mul_add(y, F(args.dy[axis]), mul_add(x, F(args.dx[axis]), F(args.corner[axis])));
     };
     const CubePoint<F> p = cube_point(Vec3<F>{along(0), along(1), along(2)}, faces);
-    const auto footprint = [&](const RayLevel& level) {
-      return cube_footprint(p, F(level.half), p.face + IntOf<F>(level.start), pitch, F(level.weight));
-    };
-    rays.fine.set(i, footprint(levels[0]));
-    if constexpr (blurred) rays.coarse.set(i, footprint(levels[1]));
+    rays.fine.set(i, cube_footprint(args.cube, p, lookup.fine));
+    if constexpr (blurred) rays.coarse.set(i, cube_footprint(args.cube, p, lookup.coarse));
   }
 }
 
@@ -81,13 +71,13 @@ inline bool is_open(const BackgroundArgs& args, int first) {
 }
 
 template <bool blurred>
-inline void environment_behind(const BackgroundArgs& args, const RayLevel (&levels)[2]) {
+inline void environment_behind(const BackgroundArgs& args, const UniformLookup& lookup) {
   Rays rays;
   for (int y = 0; y < args.height; y += 4)
     for (int x = 0; x < args.width; x += block_size / 4) {
       rays.first = tile_pixel(x, y);
       if (!is_open(args, rays.first)) continue;
-      find_ray_footprints<blurred, Wide>(args, levels, rays);
+      find_ray_footprints<blurred, Wide>(args, lookup, rays);
       read_rays<blurred>(args, rays);
       for (int i = 0; i < block_size; i += Float::lanes)
         add_behind(args, rays.first + i, load_vector<Float>(rays.radiance, i));
