@@ -46,60 +46,67 @@ void check(const SourceImage& image) {
     throw input_error("image '{}': {} bytes of pixels; expected {}", image.name, image.pixels.size(), expected);
 }
 
-// One row of any source, as floats, still in the file's encoding. 16-bit samples may be unaligned.
+// Rows of any source, as linear RGBA. 16-bit samples may be unaligned.
 class RowReader {
  public:
+  struct Scratch {
+    AlignedVector<float> wide;
+    std::vector<std::uint16_t> narrow;
+  };
+
   RowReader(const SourceImage& image, Encoding encoding, const Kernels& kernels)
-      : image_(image), kernels_(kernels), count_(std::size_t(image.width) * image.channels), wide_(count_) {
+      : image_(image), kernels_(kernels), count_(std::size_t(image.width) * image.channels) {
     srgb_ = encoding == Encoding::srgb && (image.type == PixelType::u8 || image.type == PixelType::u16);
     for (int i = 0; i < 256; ++i) linear_[i] = decoded_[i] = float(i) / 255.0f;
     if (srgb_) kernels.evaluate(MathFunction::srgb_to_linear, linear_.data(), nullptr, decoded_.data(), 256);
   }
 
-  // RGBA, linear, clamped to what a half holds.
-  void read(int y, float* rgba) {
+  // Clamped to what a half holds.
+  void read(int y, Scratch& scratch, float* rgba) const {
+    AlignedVector<float>& wide = scratch.wide;
+    wide.resize(count_);
     const std::byte* row = image_.pixels.data() + std::size_t(y) * count_ * bytes_per_channel(image_.type);
     switch (image_.type) {
       case PixelType::u8:
-        for (std::size_t i = 0; i < count_; ++i) wide_[i] = decoded_[std::to_integer<unsigned>(row[i])];
-        if (srgb_) restore_alpha([&](std::size_t i) { return linear_[std::to_integer<unsigned>(row[i])]; });
+        for (std::size_t i = 0; i < count_; ++i) wide[i] = decoded_[std::to_integer<unsigned>(row[i])];
+        if (srgb_) restore_alpha(wide, [&](std::size_t i) { return linear_[std::to_integer<unsigned>(row[i])]; });
         break;
       case PixelType::u16:
-        load16(row);
-        for (std::size_t i = 0; i < count_; ++i) wide_[i] = float(narrow_[i]) / 65535.0f;
+        load16(row, scratch.narrow);
+        for (std::size_t i = 0; i < count_; ++i) wide[i] = float(scratch.narrow[i]) / 65535.0f;
         if (srgb_) {
-          kernels_.evaluate(MathFunction::srgb_to_linear, wide_.data(), nullptr, wide_.data(), count_);
-          restore_alpha([&](std::size_t i) { return float(narrow_[i]) / 65535.0f; });
+          kernels_.evaluate(MathFunction::srgb_to_linear, wide.data(), nullptr, wide.data(), count_);
+          restore_alpha(wide, [&](std::size_t i) { return float(scratch.narrow[i]) / 65535.0f; });
         }
         break;
       case PixelType::half:
-        load16(row);
-        kernels_.unpack_half(narrow_.data(), wide_.data(), count_);
+        load16(row, scratch.narrow);
+        kernels_.unpack_half(scratch.narrow.data(), wide.data(), count_);
         break;
       case PixelType::f32:
-        std::memcpy(wide_.data(), row, count_ * sizeof(float));
+        std::memcpy(wide.data(), row, count_ * sizeof(float));
         break;
     }
-    for (float& x : wide_) x = x > 0 ? std::min(x, largest_half) : 0.0f;  // NaN fails the comparison
-    spread(rgba);
+    for (float& x : wide) x = x > 0 ? std::min(x, largest_half) : 0.0f;  // NaN fails the comparison
+    spread(wide, rgba);
   }
 
  private:
-  void load16(const std::byte* row) {
-    narrow_.resize(count_);
-    std::memcpy(narrow_.data(), row, count_ * 2);
+  void load16(const std::byte* row, std::vector<std::uint16_t>& narrow) const {
+    narrow.resize(count_);
+    std::memcpy(narrow.data(), row, count_ * 2);
   }
 
   template <class Linear>
-  void restore_alpha(const Linear& linear) {
+  void restore_alpha(AlignedVector<float>& wide, const Linear& linear) const {
     if (image_.channels % 2 != 0) return;
-    for (std::size_t i = image_.channels - 1; i < count_; i += image_.channels) wide_[i] = linear(i);
+    for (std::size_t i = image_.channels - 1; i < count_; i += image_.channels) wide[i] = linear(i);
   }
 
-  void spread(float* rgba) const {
+  void spread(const AlignedVector<float>& wide, float* rgba) const {
     const int channels = image_.channels;
     for (int x = 0; x < image_.width; ++x) {
-      const float* in = wide_.data() + std::size_t(x) * channels;
+      const float* in = wide.data() + std::size_t(x) * channels;
       float* out = rgba + std::size_t(x) * 4;
       out[0] = in[0];
       out[1] = channels >= 3 ? in[1] : in[0];
@@ -111,8 +118,6 @@ class RowReader {
   const SourceImage& image_;
   const Kernels& kernels_;
   std::size_t count_;  // numbers in a row
-  AlignedVector<float> wide_;
-  std::vector<std::uint16_t> narrow_;
   bool srgb_;
   std::array<float, 256> linear_, decoded_;
 };
@@ -177,6 +182,7 @@ TextureData build_texture(const SourceImage& image, Encoding encoding, bool mipm
   data.levels = mipmapped ? full_levels(image.width, image.height) : 1;
   data.texels.resize(texels_of(data.width, data.height, data.levels) * bytes_of(data.format));
 
+  const RowReader reader(image, encoding, kernels);
   std::byte* out = data.texels.data();
   int width = image.width, height = image.height;
   ScratchVector<float> level, smaller;
@@ -185,9 +191,9 @@ TextureData build_texture(const SourceImage& image, Encoding encoding, bool mipm
     const std::size_t row_floats = std::size_t{4} * std::size_t(width);
     if (k == 0)
       make_level(width, height, data.format, out, next, kernels, [&](int y, int count, const auto& take) {
-        RowReader reader(image, encoding, kernels);
+        RowReader::Scratch scratch;
         ScratchVector<float> rows(row_floats * std::size_t(count));
-        for (int i = 0; i < count; ++i) reader.read(y + i, rows.data() + row_floats * std::size_t(i));
+        for (int i = 0; i < count; ++i) reader.read(y + i, scratch, rows.data() + row_floats * std::size_t(i));
         take(rows.data());
       });
     else
