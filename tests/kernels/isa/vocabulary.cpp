@@ -195,6 +195,11 @@ const VocabularyTable vocabulary = {
     [](const void* base, const std::int32_t* offset, std::uint32_t mask, std::int32_t* out) {
       store(out, gather_bytes(base, load_int(offset), from_mask_bits(mask)));
     },
+    [](const void* base, const std::int32_t* offset, std::int32_t* low, std::int32_t* high) {
+      const IntPair pair = gather_pairs(base, load_int(offset));
+      store(low, pair.low);
+      store(high, pair.high);
+    },
     [](const float* in, std::uint32_t mask, float* out) { store_masked(out, load<Float>(in), from_mask_bits(mask)); },
     [](const std::int32_t* in, std::uint32_t mask, std::int32_t* out) {
       store_masked(out, load_int(in), from_mask_bits(mask));

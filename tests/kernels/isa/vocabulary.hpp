@@ -86,6 +86,7 @@ struct VocabularyTable {
                             std::int32_t* out);
   void (*gather_bytes)(const void* base, const std::int32_t* offset, std::int32_t* out);
   void (*gather_bytes_masked)(const void* base, const std::int32_t* offset, std::uint32_t mask, std::int32_t* out);
+  void (*gather_pairs)(const void* base, const std::int32_t* offset, std::int32_t* low, std::int32_t* high);
   void (*store_float_masked)(const float* in, std::uint32_t mask, float* out);
   void (*store_int_masked)(const std::int32_t* in, std::uint32_t mask, std::int32_t* out);
   // Records of four words, or of twelve, or of three, at base[word[lane]]: word by word into out, `lanes` of each.
