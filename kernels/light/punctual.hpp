@@ -19,8 +19,9 @@ TESSERA_INLINE Vec3<F> broadcast(const float v[3]) {
   return {F(v[0]), F(v[1]), F(v[2])};
 }
 
-/// A light's type and falloff at compile time: the light loop runs without asking.
-enum class LightKind { directional, point, point_plus_one, spot, spot_plus_one };
+/// A light's type and falloff at compile time: the light loop runs without asking. mixed: of several lights, no one of
+/// these.
+enum class LightKind { directional, point, point_plus_one, spot, spot_plus_one, mixed };
 inline constexpr bool is_spot(LightKind kind) { return kind == LightKind::spot || kind == LightKind::spot_plus_one; }
 inline constexpr bool is_plus_one(LightKind kind) {
   return kind == LightKind::point_plus_one || kind == LightKind::spot_plus_one;

@@ -30,31 +30,64 @@ struct LitPoint {
   GGXLobe<F> lobe;
 };
 
-template <LightKind kind, class F>
-TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, LightSums<F>& sums) {
-  const Reach<F> reach = light_reach<kind>(light, p.position);
-  const F nd = dot(p.n, reach.d);
-  if (!any(min(nd, reach.window) > F(0))) return;  // behind, or out of range: every lane would add +0
+/// A light as seen from a point, as far as the root and the division that its distance takes.
+template <class F>
+struct LightRay {
+  Vec3<F> d;                            // towards the light
+  F nd;                                 // n.d
+  F inverse_length, strength, divisor;  // as in Incident
+};
 
-  const Incident<F> in = incident_light<kind>(light, reach);
-  const F nl = nd * in.inverse_length;
+/// Whether the light reaches any lane; only then there is a ray.
+template <LightKind kind, class F>
+TESSERA_INLINE bool find_ray(const LitPoint<F>& p, const LightView& light, LightRay<F>& ray) {
+  if constexpr (kind == LightKind::mixed) {
+    switch (kind_of(light)) {
+      case LightKind::directional:
+        return find_ray<LightKind::directional>(p, light, ray);
+      case LightKind::point:
+        return find_ray<LightKind::point>(p, light, ray);
+      case LightKind::point_plus_one:
+        return find_ray<LightKind::point_plus_one>(p, light, ray);
+      case LightKind::spot:
+        return find_ray<LightKind::spot>(p, light, ray);
+      case LightKind::spot_plus_one:
+        return find_ray<LightKind::spot_plus_one>(p, light, ray);
+      case LightKind::mixed:
+        break;
+    }
+    return false;
+  } else {
+    const Reach<F> reach = light_reach<kind>(light, p.position);
+    const F nd = dot(p.n, reach.d);
+    if (!any(min(nd, reach.window) > F(0))) return false;  // behind, or out of range: every lane would add +0
+    const Incident<F> in = incident_light<kind>(light, reach);
+    ray = {reach.d, nd, in.inverse_length, in.strength, in.divisor};
+    return true;
+  }
+}
+
+template <LightKind kind, class F>
+TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, const LightRay<F>& ray,
+                              LightSums<F>& sums) {
+  const F nl = ray.nd * ray.inverse_length;
   const F NoL = clamp(nl, F(0), F(1));
   // H = l + v in two parts, along n and beside it. N min(alpha^2 N, N): where n.H < 0, no weight makes the part along n
   // smaller, as clamping NoH to 0 in D's formula does.
   const F N = nl + p.nv;
-  const auto beside = [&](F n, F d, F v) { return mul_add(neg_mul_add(n, nd, d), in.inverse_length, v); };
-  const Vec3<F> T = {beside(p.n.x, reach.d.x, p.v_tangential.x), beside(p.n.y, reach.d.y, p.v_tangential.y),
-                     beside(p.n.z, reach.d.z, p.v_tangential.z)};
+  const auto beside = [&](F n, F d, F v) { return mul_add(neg_mul_add(n, ray.nd, d), ray.inverse_length, v); };
+  const Vec3<F> T = {beside(p.n.x, ray.d.x, p.v_tangential.x), beside(p.n.y, ray.d.y, p.v_tangential.y),
+                     beside(p.n.z, ray.d.z, p.v_tangential.z)};
   const F T2 = dot(T, T);
   const F H2 = mul_add(N, N, T2);
   const LobeFraction<F> dv = DV_GGX_fraction(p.lobe, H2, N * min(p.lobe.alpha2 * N, N), T2, NoL);
 
   // |l + v| = 2 cos of half the angle between them.
   const F weight = pow5(neg_mul_add(F(0.5), sqrt(H2), F(1)));
-  const F strength = NoL * in.strength;
+  const F strength = NoL * ray.strength;
   F diffuse, specular;
-  if constexpr (is_plus_one(kind)) {
-    const F quotient = strength / (dv.denominator * in.divisor);  // strength is at most 1: no overflow
+  if (is_plus_one(kind == LightKind::mixed ? kind_of(light) : kind)) {
+    const F quotient = strength / (dv.denominator * ray.divisor);  // strength is at most 1: no overflow
     diffuse = quotient * dv.denominator;
     specular = quotient * dv.numerator;
   } else {
@@ -71,31 +104,37 @@ TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, Ligh
   add(sums.grazing, grazing_part);
 }
 
-/// Over `count` lights, of the list if there is one.
-template <class F>
-TESSERA_INLINE LightSums<F> sum_lights(const LitPoint<F>& p, const LightView* lights, const std::uint32_t* list,
-                                       std::uint32_t count) {
+/// Lights one after another.
+struct LightList {
+  const LightView* lights;
+  const std::uint32_t* indices;  // which of them; null: all
+  std::uint32_t count;
+
+  const LightView& operator[](std::uint32_t i) const { return lights[indices != nullptr ? indices[i] : i]; }
+};
+inline LightKind kind_of(const LightList& lights) {
+  if (lights.count == 0) return LightKind::mixed;
+  const LightKind kind = kind_of(lights[0]);
+  for (std::uint32_t i = 1; i < lights.count; ++i)
+    if (kind_of(lights[i]) != kind) return LightKind::mixed;
+  return kind;
+}
+
+/// kind: kind_of(lights).
+template <LightKind kind, class F>
+TESSERA_INLINE LightSums<F> sum_lights(const LitPoint<F>& p, const LightList& lights) {
   const Vec3<F> zero = {F(0), F(0), F(0)};
   LightSums<F> sums = {zero, zero, zero};
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const LightView& light = lights[list != nullptr ? list[i] : i];
-    switch (kind_of(light)) {
-      case LightKind::directional:
-        add_light<LightKind::directional>(p, light, sums);
-        break;
-      case LightKind::point:
-        add_light<LightKind::point>(p, light, sums);
-        break;
-      case LightKind::point_plus_one:
-        add_light<LightKind::point_plus_one>(p, light, sums);
-        break;
-      case LightKind::spot:
-        add_light<LightKind::spot>(p, light, sums);
-        break;
-      case LightKind::spot_plus_one:
-        add_light<LightKind::spot_plus_one>(p, light, sums);
-        break;
-    }
+  if (lights.count == 0) return sums;
+  // A light's root and division are started before the light in front of it is added: that one's instructions do not
+  // stand behind them.
+  LightRay<F> next;
+  bool next_lit = find_ray<kind>(p, lights[0], next);
+  for (std::uint32_t i = 0; i < lights.count; ++i) {
+    const LightRay<F> ray = next;
+    const bool lit = next_lit;
+    next_lit = i + 1 < lights.count && find_ray<kind>(p, lights[i + 1], next);
+    if (lit) add_light<kind>(p, lights[i], ray, sums);
   }
   return sums;
 }

@@ -197,35 +197,52 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
 }
 
 /// Leaves the radiance of punctual lights in ShadeArgs::radiance. environment: its light comes after this, mirror: by
-/// reading the cube at the block's footprints.
-template <bool environment, bool mirror, class F>
-[[gnu::noinline]] void shade_lights(const ShadeArgs& args, std::uint32_t light_count, Block& block) {
+/// reading the cube at the block's footprints. kind: kind_of(lights).
+template <bool environment, bool mirror, LightKind kind>
+[[gnu::noinline]] void shade_lights(const ShadeArgs& args, const LightList& lights, Block& block) {
   const GBufferView g = args.gbuffer;
   const CubeView cube = args.environment.specular;
-  for (int i = 0; i < block.count; i += F::lanes) {
+  for (int i = 0; i < block.count; i += Float::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
-    LitPoint<F> p;
-    p.position = load_position<F>(g, at);
-    p.n = load_vector<F>(block.n, i);
-    const Vec3<F> v = load_vector<F>(block.v, i);
-    p.nv = load<F>(block.nv + i);
+    LitPoint<Float> p;
+    p.position = load_position<Float>(g, at);
+    p.n = load_vector<Float>(block.n, i);
+    const Vec3<Float> v = load_vector<Float>(block.v, i);
+    p.nv = load<Float>(block.nv + i);
     p.v_tangential = {neg_mul_add(p.n.x, p.nv, v.x), neg_mul_add(p.n.y, p.nv, v.y), neg_mul_add(p.n.z, p.nv, v.z)};
-    const F r = max(load<F>(block.roughness + i), F(min_punctual_roughness));
+    const Float r = max(load<Float>(block.roughness + i), Float(min_punctual_roughness));
     p.lobe = ggx_lobe(clamp_NoV(p.nv), r * r);
-    // Of the stages, this one leaves the load ports idle; texels of the finer level mostly come from far away. Where
-    // two vectors go side by side, they find the time to wait, and this would only cost.
-    if constexpr (mirror && F::lanes == Float::lanes)
-      block.cube_fine.prefetch(i, F::lanes, cube.texels, cube_pitch(cube.size, cube.levels));
-    const LightSums<F> sums = sum_lights(p, args.lights, args.light_list, light_count);
-    const Reflectance<F> surface = load_reflectance<F>(g, at);
+    // Of the stages, this one leaves the load ports idle; texels of the finer level mostly come from far away.
+    if constexpr (mirror) block.cube_fine.prefetch(i, Float::lanes, cube.texels, cube_pitch(cube.size, cube.levels));
+    const LightSums<Float> sums = sum_lights<kind>(p, lights);
+    const Reflectance<Float> surface = load_reflectance<Float>(g, at);
     if constexpr (environment) {
       store_vector(block.f0, i, surface.f0);
       store_vector(block.albedo, i, surface.albedo);
     }
-    const Vec3<F> radiance = reflect_lights(sums, surface);
+    const Vec3<Float> radiance = reflect_lights(sums, surface);
     store(args.radiance[0] + at, radiance.x);
     store(args.radiance[1] + at, radiance.y);
     store(args.radiance[2] + at, radiance.z);
+  }
+}
+
+template <bool environment, bool mirror>
+TESSERA_INLINE void shade_lights(const ShadeArgs& args, const LightList& lights, LightKind kind, Block& block) {
+  const auto shade = [&]<LightKind one>() { shade_lights<environment, mirror, one>(args, lights, block); };
+  switch (kind) {
+    case LightKind::directional:
+      return shade.template operator()<LightKind::directional>();
+    case LightKind::point:
+      return shade.template operator()<LightKind::point>();
+    case LightKind::point_plus_one:
+      return shade.template operator()<LightKind::point_plus_one>();
+    case LightKind::spot:
+      return shade.template operator()<LightKind::spot>();
+    case LightKind::spot_plus_one:
+      return shade.template operator()<LightKind::spot_plus_one>();
+    case LightKind::mixed:
+      return shade.template operator()<LightKind::mixed>();
   }
 }
 

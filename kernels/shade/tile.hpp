@@ -69,6 +69,8 @@ template <std::uint32_t Features, bool plain>
 inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
   constexpr bool lights = Features & feature_lights, environment = Features & feature_environment;
   constexpr bool mirror = environment && plain;
+  const LightList list = {args.lights, args.light_list, light_count};
+  const LightKind kind = lights ? kind_of(list) : LightKind::mixed;
   Block block;
   OptionsBlock options;
   for (block.first = 0; block.first < args.count; block.first += block_size) {
@@ -82,7 +84,7 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
     } else if constexpr (environment) {
       sample_environment_options(args, block, options);
     }
-    if constexpr (lights) shade_lights<environment, mirror, Wide>(args, light_count, block);
+    if constexpr (lights) shade_lights<environment, mirror>(args, list, kind, block);
     if constexpr (mirror) read_cube<HalfTexels>(args, block);
     if constexpr (plain)
       finish<Features, plain, Wide>(args, block, options);

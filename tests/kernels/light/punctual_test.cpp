@@ -44,6 +44,8 @@ Arriving<F> at(const LightView& light, F x, F y, F z) {
       return arriving.template operator()<kernel::LightKind::spot>();
     case kernel::LightKind::spot_plus_one:
       return arriving.template operator()<kernel::LightKind::spot_plus_one>();
+    case kernel::LightKind::mixed:
+      break;
   }
   return {};
 }
