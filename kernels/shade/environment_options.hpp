@@ -34,6 +34,7 @@ TESSERA_INLINE F specular_occlusion(F NoV, F occlusion, F alpha) {
 struct OptionsBlock {
   // LobeView; the rest of it is cheap.
   alignas(64) float tangent[3][block_size], sin_v[block_size], hx[block_size], hz[block_size], root_v[block_size];
+  alignas(64) float lx[block_size], ly[block_size], lz[block_size], alpha[block_size];  // LobePoint
   alignas(64) float level[block_size], weight[block_size], sum[block_size];  // of a tap; of the taps' weights
   alignas(64) float diffuse[3][block_size];                                  // E(n) / pi, where it comes from a cube
 };
@@ -65,17 +66,26 @@ TESSERA_INLINE LobeView<F> load_lobe(const Block& block, const OptionsBlock& opt
           load<F>(options.root_v + i)};
 }
 
-/// Where tap k of the lobe meets the cube.
-template <EnvironmentLobe lobe, class F>
+/// Point k of the lobe. What follows from it is a stage of its own, as its root and division stand in the way.
+template <class Taps, class F>
+[[gnu::noinline]] void find_point(int k, const Block& block, OptionsBlock& options) {
+  for (int i = 0; i < block.count; i += F::lanes) {
+    const LobePoint<F> point = lobe_point(Taps(), load_lobe<F>(block, options, i), k);
+    store(options.lx + i, point.lx);
+    store(options.ly + i, point.ly);
+    store(options.lz + i, point.lz);
+    store(options.alpha + i, point.alpha);
+  }
+}
+
+/// Where the tap at that point meets the cube.
+template <class Taps, class F>
 [[gnu::noinline]] void find_tap(const EnvironmentView& environment, int k, Block& block, OptionsBlock& options) {
   const int faces = cube_face_texels(environment.specular.size, environment.specular.levels);
   for (int i = 0; i < block.count; i += F::lanes) {
-    const LobeView<F> w = load_lobe<F>(block, options, i);
-    Tap<F> tap;
-    if constexpr (lobe == EnvironmentLobe::points8)
-      tap = disc_tap(w, k);
-    else
-      tap = axis_tap < lobe == EnvironmentLobe::taps2 ? 2 : 4 > (w, k);
+    const LobePoint<F> point = {load<F>(options.lx + i), load<F>(options.ly + i), load<F>(options.lz + i),
+                                load<F>(options.alpha + i)};
+    const Tap<F> tap = tap_at(Taps(), load_lobe<F>(block, options, i), point, k);
     store_point(block, i, cube_point(tap.axis, faces));
     store(options.level + i, specular_level(environment, tap.r));
     store(options.weight + i, tap.weight);
@@ -127,31 +137,29 @@ template <class Texels>
   }
 }
 
+/// Mean radiance over the specular lobe, from taps.
+template <class Texels, class Taps>
+inline void sample_taps(const EnvironmentView& environment, Block& block, OptionsBlock& options) {
+  find_lobe<Wide>(block, options);
+  for (int k = 0; k < Taps::taps; ++k) {
+    find_point<Taps, Wide>(k, block, options);
+    find_tap<Taps, Wide>(environment, k, block, options);
+    find_lookup<Texels, Wide>(environment.specular, block, options);
+    read_tap<Texels>(environment.specular, k == 0, k == Taps::taps - 1, block, options);
+  }
+}
+
 /// Mean radiance over the specular lobe.
 template <class Texels>
 inline void sample_lobe(const ShadeArgs& args, Block& block, OptionsBlock& options) {
   const EnvironmentView& environment = args.environment;
   const EnvironmentLobe lobe = args.environment_shading.lobe;
-  const int taps = lobe == EnvironmentLobe::taps2     ? 2
-                   : lobe == EnvironmentLobe::taps4   ? 4
-                   : lobe == EnvironmentLobe::points8 ? 8
-                                                      : 0;
-  if (taps == 0) {
-    find_axis<Wide>(environment, lobe, block, options);
-    find_lookup<Texels, Wide>(environment.specular, block, options);
-    return read_cube<Texels>(args, block);
-  }
-  find_lobe<Wide>(block, options);
-  for (int k = 0; k < taps; ++k) {
-    if (lobe == EnvironmentLobe::taps2)
-      find_tap<EnvironmentLobe::taps2, Wide>(environment, k, block, options);
-    else if (lobe == EnvironmentLobe::taps4)
-      find_tap<EnvironmentLobe::taps4, Wide>(environment, k, block, options);
-    else
-      find_tap<EnvironmentLobe::points8, Wide>(environment, k, block, options);
-    find_lookup<Texels, Wide>(environment.specular, block, options);
-    read_tap<Texels>(environment.specular, k == 0, k == taps - 1, block, options);
-  }
+  if (lobe == EnvironmentLobe::taps2) return sample_taps<Texels, AxisTaps<2>>(environment, block, options);
+  if (lobe == EnvironmentLobe::taps4) return sample_taps<Texels, AxisTaps<4>>(environment, block, options);
+  if (lobe == EnvironmentLobe::points8) return sample_taps<Texels, DiscTaps>(environment, block, options);
+  find_axis<Wide>(environment, lobe, block, options);
+  find_lookup<Texels, Wide>(environment.specular, block, options);
+  read_cube<Texels>(args, block);
 }
 
 // ------------------------------------------------------------------------------------------------------ the rest

@@ -79,6 +79,12 @@ TESSERA_INLINE F visible_weight(const LobeView<F>& w, F nl) {
   return NoL * (w.NoV + w.root_v) / max(masked, F(1e-20));  // 1e-20: a mirror at the horizon has neither
 }
 
+/// A point of the lobe: it reflects v to l = lx tangent + ly bitangent + lz n, and stands for a round lobe of alpha.
+template <class F>
+struct LobePoint {
+  F lx, ly, lz, alpha;
+};
+
 /// A round lobe of those that make up the whole: radiance is looked up along `axis` (not unit) at roughness `r`.
 template <class F>
 struct Tap {
@@ -100,23 +106,25 @@ TESSERA_INLINE Tap<F> leaning_tap(const Vec3<F>& n, const Vec3<F>& l, F alpha, F
 // the brute-force integral over three environments, r 0.2 to 1 and n.v 0.05 to 0.95: the mean error is 0.24 of the
 // mirror direction's with 4 taps (0.21 of it at n.v below 0.5 and r to 0.6), 0.33 (0.39) with 2.
 template <int count>
-struct TapSet;
+struct AxisTaps;
 template <>
-struct TapSet<2> {
+struct AxisTaps<2> {
+  static constexpr int taps = 2;
   static constexpr float node[1] = {0.5f}, weight[1] = {1.0f};
   static constexpr double width = 1.21, narrowing = 0.225, lean = 0.85;
 };
 template <>
-struct TapSet<4> {
+struct AxisTaps<4> {
+  static constexpr int taps = 4;
   static constexpr float node[2] = {0.30901699f, 0.80901699f}, weight[2] = {0.90450850f, 0.34549150f};
   static constexpr double width = 1.07, narrowing = 0.4, lean = 0.7;
 };
 
-/// Tap k of `count` along the lobe's long axis. The nodes spread with the sine of the view angle: seen along the normal
+/// Point k along the lobe's long axis; ly is 0. The nodes spread with the sine of the view angle: seen along the normal
 /// the lobe is round and all taps are one.
 template <int count, class F>
-TESSERA_INLINE Tap<F> axis_tap(const LobeView<F>& w, int k) {
-  using Set = TapSet<count>;
+TESSERA_INLINE LobePoint<F> lobe_point(AxisTaps<count>, const LobeView<F>& w, int k) {
+  using Set = AxisTaps<count>;
   const F s = upper_part(w);
   const F middle = F(1) - s, reach = s * w.sin_v, wide = w.alpha * F(Set::width);
   const F node = F(k & 1 ? -Set::node[k >> 1] : Set::node[k >> 1]);
@@ -127,40 +135,50 @@ TESSERA_INLINE Tap<F> axis_tap(const LobeView<F>& w, int k) {
   const F per_b2 = F(1) / max(mul_add(bx, bx, bz * bz), F(1e-30));
   const F vb = max(mul_add(w.sin_v, bx, w.NoV * bz), F(0)) * per_b2;
   const F lx = mul_sub(vb + vb, bx, w.sin_v), lz = mul_sub(vb + vb, bz, w.NoV);
-  const Vec3<F> l = {mul_add(w.n.x, lz, w.tangent.x * lx), mul_add(w.n.y, lz, w.tangent.y * lx),
-                     mul_add(w.n.z, lz, w.tangent.z * lx)};
-  const F alpha = wide * vb * neg_mul_add(y2, F(Set::narrowing), F(1));
-  return leaning_tap(w.n, l, alpha, F(Set::lean), F(Set::weight[k >> 1]) * visible_weight(w, lz));
+  return {lx, F(0), lz, wide * vb * neg_mul_add(y2, F(Set::narrowing), F(1))};
+}
+template <int count, class F>
+TESSERA_INLINE Tap<F> tap_at(AxisTaps<count>, const LobeView<F>& w, const LobePoint<F>& p, int k) {
+  using Set = AxisTaps<count>;
+  const Vec3<F> l = {mul_add(w.n.x, p.lz, w.tangent.x * p.lx), mul_add(w.n.y, p.lz, w.tangent.y * p.lx),
+                     mul_add(w.n.z, p.lz, w.tangent.z * p.lx)};
+  return leaning_tap(w.n, l, p.alpha, F(Set::lean), F(Set::weight[k >> 1]) * visible_weight(w, p.lz));
 }
 
 // Points of the whole disc, in pairs (+-x, y); fitted with the two constants to the same integrals as the taps above:
 // the mean error is 0.24 of the mirror direction's, 0.22 at grazing angles.
-inline constexpr float disc_x[4] = {0.154f, 0.575f, 0.015f, 0.324f}, disc_y[4] = {0.0f, 0.118f, 0.698f, -0.620f};
-inline constexpr double disc_share = 1.6, disc_lean = 1.0;
+struct DiscTaps {
+  static constexpr int taps = 8;
+  static constexpr float x[4] = {0.154f, 0.575f, 0.015f, 0.324f}, y[4] = {0.0f, 0.118f, 0.698f, -0.620f};
+  static constexpr double share = 1.6, lean = 1.0;
+};
 
 /// Point k of eight, each read at the width that it stands for: filtered importance sampling (Krivanek and Colbert
 /// 2008) at run time, over prefiltered radiance. The density of l at a point is G1(v) D / (4 n.v) with D = |b|^4 / (pi
 /// alpha^2), the round lobe's at its peak 1 / (4 pi alpha'^2): N points share the lobe at alpha' = alpha / |b|^2
 /// sqrt(c (n.v + root(n.v)) / 2N).
 template <class F>
-TESSERA_INLINE Tap<F> disc_tap(const LobeView<F>& w, int k) {
-  const Vec3<F> bitangent = cross(w.n, w.tangent);
-  const F share = w.alpha * sqrt((w.NoV + w.root_v) * F(disc_share / 16));
+TESSERA_INLINE LobePoint<F> lobe_point(DiscTaps, const LobeView<F>& w, int k) {
+  const F share = w.alpha * sqrt((w.NoV + w.root_v) * F(DiscTaps::share / (2 * DiscTaps::taps)));
   const F s = upper_part(w);
-  const F x = F(k & 1 ? -disc_x[k >> 1] : disc_x[k >> 1]);
+  const F x = F(k & 1 ? -DiscTaps::x[k >> 1] : DiscTaps::x[k >> 1]);
   const F inside = F(1) - x * x;
-  const F y = mul_add(s, F(disc_y[k >> 1]), (F(1) - s) * sqrt(inside));
+  const F y = mul_add(s, F(DiscTaps::y[k >> 1]), (F(1) - s) * sqrt(inside));
   const F z = sqrt(max(neg_mul_add(y, y, inside), F(0)));
   const F bx = w.alpha * mul_sub(w.hx, z, w.hz * y), by = w.alpha * x;
   const F bz = max(mul_add(w.hx, y, w.hz * z), F(0));
   const F per_b2 = F(1) / max(mul_add(bx, bx, mul_add(by, by, bz * bz)), F(1e-30));
   const F vb = max(mul_add(w.sin_v, bx, w.NoV * bz), F(0)) * per_b2;
   const F twice = vb + vb;
-  const F lx = mul_sub(twice, bx, w.sin_v), ly = twice * by, lz = mul_sub(twice, bz, w.NoV);
-  const Vec3<F> l = {mul_add(w.n.x, lz, mul_add(bitangent.x, ly, w.tangent.x * lx)),
-                     mul_add(w.n.y, lz, mul_add(bitangent.y, ly, w.tangent.y * lx)),
-                     mul_add(w.n.z, lz, mul_add(bitangent.z, ly, w.tangent.z * lx))};
-  return leaning_tap(w.n, l, share * per_b2, F(disc_lean), visible_weight(w, lz));
+  return {mul_sub(twice, bx, w.sin_v), twice * by, mul_sub(twice, bz, w.NoV), share * per_b2};
+}
+template <class F>
+TESSERA_INLINE Tap<F> tap_at(DiscTaps, const LobeView<F>& w, const LobePoint<F>& p, int) {
+  const Vec3<F> bitangent = cross(w.n, w.tangent);
+  const Vec3<F> l = {mul_add(w.n.x, p.lz, mul_add(bitangent.x, p.ly, w.tangent.x * p.lx)),
+                     mul_add(w.n.y, p.lz, mul_add(bitangent.y, p.ly, w.tangent.y * p.lx)),
+                     mul_add(w.n.z, p.lz, mul_add(bitangent.z, p.ly, w.tangent.z * p.lx))};
+  return leaning_tap(w.n, l, p.alpha, F(DiscTaps::lean), visible_weight(w, p.lz));
 }
 
 }  // namespace
