@@ -166,20 +166,32 @@ inline Vec3<F> sample_cube_uniform(const CubeView& cube, const Vec3<F>& directio
   return a + sample_footprint(cube, cube_footprint(cube, p, lookup.coarse));
 }
 
-/// E(n) / pi from nine coefficients (EnvironmentView::irradiance_sh), n a unit vector. Clamped to >= 0: a bright sun
-/// makes the truncated series negative on its far side.
+/// E(n) / pi in one channel, for unit n: a polynomial of the second degree in n, with x^2 + y^2 + z^2 = 1 in place of
+/// z^2 (Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", section 3.2, have
+/// it as a 4 x 4 matrix). By Horner's rule it takes eight multiplications with an addition each.
 template <class F>
-TESSERA_INLINE Vec3<F> irradiance(const float sh[9][3], const Vec3<F>& n) {
-  const F xy = n.x * n.y, yz = n.y * n.z, xz = n.x * n.z;
-  const F zz = mul_sub(F(3) * n.z, n.z, F(1));
-  const F xx_yy = difference_of_products(n.x, n.x, n.y, n.y);
-  const auto channel = [&](int c) {
-    const F linear = mul_add(F(sh[3][c]), n.x, mul_add(F(sh[2][c]), n.z, mul_add(F(sh[1][c]), n.y, F(sh[0][c]))));
-    const F mixed = mul_add(F(sh[7][c]), xz, mul_add(F(sh[5][c]), yz, mul_add(F(sh[4][c]), xy, linear)));
-    return max(mul_add(F(sh[8][c]), xx_yy, mul_add(F(sh[6][c]), zz, mixed)), F(0));
-  };
-  const F r = channel(0), g = channel(1), b = channel(2);
-  return {r, g, b};
+struct IrradiancePolynomial {
+  F xx, xy, xz, x;
+  F yy, yz, y;
+  F z, one;
+};
+
+/// Of nine coefficients (EnvironmentView::irradiance_sh).
+template <class F>
+TESSERA_INLINE IrradiancePolynomial<F> irradiance_polynomial(const float sh[9][3], int channel) {
+  double c[9];
+  for (int k = 0; k < 9; ++k) c[k] = double{sh[k][channel]};
+  // c6 (3 z^2 - 1) + c8 (x^2 - y^2)
+  return {F(c[8] - 3 * c[6]), F(c[4]), F(c[7]), F(c[3]), F(-c[8] - 3 * c[6]), F(c[5]), F(c[1]), F(c[2]),
+          F(c[0] + 2 * c[6])};
+}
+
+/// Clamped to >= 0: a bright sun makes the truncated series negative on its far side.
+template <class F>
+TESSERA_INLINE F irradiance(const IrradiancePolynomial<F>& p, const Vec3<F>& n) {
+  const F along_x = mul_add(n.z, p.xz, mul_add(n.y, p.xy, mul_add(n.x, p.xx, p.x)));
+  const F along_y = mul_add(n.z, p.yz, mul_add(n.y, p.yy, p.y));
+  return max(mul_add(n.x, along_x, mul_add(n.y, along_y, mul_add(n.z, p.z, p.one))), F(0));
 }
 
 /// (A, B) of two neighbours in a row of the table.
@@ -206,12 +218,17 @@ inline DfgTexels<double> dfg_texels<double>(const DfgView& dfg, std::int64_t ind
   return {double(t[0]), double(t[1]), double(t[2]), double(t[3])};
 }
 
-/// NoV and r (perceptual) in [0, 1]; bilinear, clamped to the table's edge.
+/// NoV and r (perceptual) in [0, 1].
 template <class F>
-TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, F NoV, F r) {
+TESSERA_INLINE DfgPosition<F> dfg_position(const DfgView& dfg, F NoV, F r) {
+  const F size = F(dfg.size);
+  return dfg.warped ? DfgWarpedAxes::position(NoV, r, size) : DfgLinearAxes::position(NoV, r, size);
+}
+/// Bilinear, clamped to the table's edge.
+template <class F>
+TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, const DfgPosition<F>& at) {
   using I = IntOf<F>;
-  const F size = F(dfg.size), last = F(dfg.size - 1);
-  const DfgPosition<F> at = dfg.warped ? DfgWarpedAxes::position(NoV, r, size) : DfgLinearAxes::position(NoV, r, size);
+  const F last = F(dfg.size - 1);
   const F x = clamp(at.x, F(0), last), y = clamp(at.y, F(0), last);
   const I i = truncate_to_int(min(x, F(dfg.size - 2))), j = truncate_to_int(min(y, F(dfg.size - 2)));
   const F w1 = x - to_float(i), v1 = y - to_float(j);
@@ -232,10 +249,10 @@ TESSERA_INLINE EnvironmentBRDF<F> blend(const DfgView& dfg, F NoV, const Bilinea
   return dfg.warped ? DfgWarpedAxes::value(first, second, NoV) : EnvironmentBRDF<F>{first, second};
 }
 
-/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. Arguments as dfg_footprint.
+/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. Arguments as dfg_position.
 template <class F>
 inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
-  const BilinearFootprint<F> f = dfg_footprint(dfg, NoV, r);
+  const BilinearFootprint<F> f = dfg_footprint(dfg, dfg_position(dfg, NoV, r));
   const DfgTexels<F> above = dfg_texels<F>(dfg, f.above);
   const DfgTexels<F> below = dfg_texels<F>(dfg, f.above + IntOf<F>(dfg.size));
   const EnvironmentBRDF<F> brdf = blend(dfg, NoV, f, above, below);

@@ -36,7 +36,6 @@ struct OptionsBlock {
   alignas(64) float tangent[3][block_size], sin_v[block_size], hx[block_size], hz[block_size], root_v[block_size];
   alignas(64) float lx[block_size], ly[block_size], lz[block_size], alpha[block_size];  // LobePoint
   alignas(64) float level[block_size], weight[block_size], sum[block_size];  // of a tap; of the taps' weights
-  alignas(64) float diffuse[3][block_size];                                  // E(n) / pi, where it comes from a cube
 };
 
 // ------------------------------------------------------------------------------------------------- specular lobe
@@ -110,8 +109,7 @@ template <class F>
 
 template <class Texels, class F>
 [[gnu::noinline]] void find_lookup(const CubeView& cube, Block& block, const OptionsBlock& options) {
-  find_footprints<Texels, F>(
-      cube, [&](int i) { return load<F>(options.level + i); }, block);
+  for (int i = 0; i < block.count; i += F::lanes) find_footprint<Texels>(cube, load<F>(options.level + i), i, block);
 }
 
 /// Adds a tap to the lobe's mean; with the last one it is complete.
@@ -175,9 +173,9 @@ inline void sample_lobe(const ShadeArgs& args, Block& block, OptionsBlock& optio
 }
 
 /// Irradiance from a cube: its level 0.
-[[gnu::noinline]] inline void read_irradiance(const CubeView& cube, const Block& block, OptionsBlock& options) {
+[[gnu::noinline]] inline void read_irradiance(const CubeView& cube, Block& block) {
   for (int i = 0; i < block.count; i += Float::lanes)
-    store_vector(options.diffuse, i, sample_cube_uniform(cube, load_vector<Float>(block.n, i), 0));
+    store_vector(block.irradiance, i, sample_cube_uniform(cube, load_vector<Float>(block.n, i), 0));
 }
 
 /// Everything that shade_environment_options() reads.
@@ -193,14 +191,16 @@ inline void sample_environment_options(const ShadeArgs& args, Block& block, Opti
     sample_lobe<Rgb9e5Texels>(args, block, options);
   else
     sample_lobe<HalfTexels>(args, block, options);
-  if (environment.irradiance.texels != nullptr) read_irradiance(environment.irradiance, block, options);
+  if (environment.irradiance.texels != nullptr)
+    read_irradiance(environment.irradiance, block);
+  else
+    find_irradiance(args, block);
 }
 
 /// Radiance towards the eye from the environment: split sum (Karis 2013) with Fdez-Aguera 2019's compensation. i counts
 /// the block's fragments.
 template <bool lights>
-TESSERA_INLINE Vec3<Float> shade_environment_options(const ShadeArgs& args, const Block& block,
-                                                     const OptionsBlock& options, int i) {
+TESSERA_INLINE Vec3<Float> shade_environment_options(const ShadeArgs& args, const Block& block, int i) {
   const EnvironmentShading& shading = args.environment_shading;
   const std::uint32_t at = block.first + std::uint32_t(i);
   const Reflectance<Float> surface = block_reflectance<lights, Float>(args.gbuffer, block, i);
@@ -212,10 +212,7 @@ TESSERA_INLINE Vec3<Float> shade_environment_options(const ShadeArgs& args, cons
   const Float occlusion = load_occlusion<Float>(args.gbuffer, at);
   const Float open = shading.specular_occlusion ? specular_occlusion(NoV, occlusion, r * r) : occlusion;
   const Vec3<Float> specular = load_vector<Float>(block.specular, i) * open;
-  const Vec3<Float> diffuse = (args.environment.irradiance.texels != nullptr
-                                   ? load_vector<Float>(options.diffuse, i)
-                                   : irradiance(args.environment.irradiance_sh, load_vector<Float>(block.n, i))) *
-                              occlusion;
+  const Vec3<Float> diffuse = load_vector<Float>(block.irradiance, i) * occlusion;
   const auto reflect = [&](Float single, Float multiple, Float albedo, Float along, Float around_n) {
     const Float transmitted = albedo * (Float(1) - single - multiple);
     return mul_add(single, along, (multiple + transmitted) * around_n);

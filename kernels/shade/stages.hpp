@@ -66,6 +66,7 @@ struct Block {
   alignas(64) float cube_s[block_size], cube_t[block_size];
   Footprints dfg, cube_fine, cube_coarse;
   alignas(64) float A[block_size], B[block_size];  // EnvironmentBRDF
+  alignas(64) float irradiance[3][block_size];     // E(n) / pi
   alignas(64) float specular[3][block_size];       // prefiltered radiance, its mean over the lobe
 };
 
@@ -121,32 +122,47 @@ template <bool mirror, class F>
 // -------------------------------------------------------------------------------------------------- environment
 
 template <class F>
+TESSERA_INLINE DfgPosition<F> block_dfg_position(const DfgView& dfg, const Block& block, int i) {
+  return dfg_position(dfg, clamp_NoV(load<F>(block.nv + i)), load<F>(block.roughness + i));
+}
+template <class F>
 [[gnu::noinline]] void find_dfg_footprints(const ShadeArgs& args, Block& block) {
   const DfgView dfg = args.dfg;
-  for (int i = 0; i < block.count; i += F::lanes) {
-    const F NoV = clamp_NoV(load<F>(block.nv + i));
-    block.dfg.set(i, dfg_footprint(dfg, NoV, load<F>(block.roughness + i)));
-  }
+  for (int i = 0; i < block.count; i += F::lanes)
+    block.dfg.set(i, dfg_footprint(dfg, block_dfg_position<F>(dfg, block, i)));
 }
 
-/// Of the block's points of the cube. level(i) is for the fragments from i on.
-template <class Texels, class F, class Level>
-TESSERA_INLINE void find_footprints(const CubeView& cube, const Level& level, Block& block) {
+/// Of the block's point of the cube, for the fragments from i on.
+template <class Texels, class F>
+TESSERA_INLINE void find_footprint(const CubeView& cube, F level, int i, Block& block) {
   constexpr int words = texel_words<Texels>;
+  const CubePoint<F> point = {load_int<IntOf<F>>(block.cube_face + i), load<F>(block.cube_s + i),
+                              load<F>(block.cube_t + i)};
+  const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, level);
+  block.cube_fine.template set<words>(i, lookup.fine);
+  block.cube_coarse.template set<words>(i, lookup.coarse);
+}
+
+/// On the table, and on the cube by roughness.
+template <class F>
+[[gnu::noinline]] void find_footprints(const ShadeArgs& args, Block& block) {
+  const CubeView cube = args.environment.specular;
+  const DfgView dfg = args.dfg;
   for (int i = 0; i < block.count; i += F::lanes) {
-    const CubePoint<F> point = {load_int<IntOf<F>>(block.cube_face + i), load<F>(block.cube_s + i),
-                                load<F>(block.cube_t + i)};
-    const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, level(i));
-    block.cube_fine.template set<words>(i, lookup.fine);
-    block.cube_coarse.template set<words>(i, lookup.coarse);
+    // Roots and a division: the cube's footprints are something to do until they are there.
+    const DfgPosition<F> at = block_dfg_position<F>(dfg, block, i);
+    find_footprint<HalfTexels>(cube, load<F>(block.roughness + i) * F(cube.levels - 1), i, block);
+    block.dfg.set(i, dfg_footprint(dfg, at));
   }
 }
 
-template <class F>
-[[gnu::noinline]] void find_cube_footprints(const ShadeArgs& args, Block& block) {
-  const CubeView cube = args.environment.specular;
-  find_footprints<HalfTexels, F>(
-      cube, [&](int i) { return load<F>(block.roughness + i) * F(cube.levels - 1); }, block);
+/// From the harmonics, a channel at a time: its constants stay in registers.
+[[gnu::noinline]] inline void find_irradiance(const ShadeArgs& args, Block& block) {
+  for (int c = 0; c < 3; ++c) {
+    const IrradiancePolynomial<Float> p = irradiance_polynomial<Float>(args.environment.irradiance_sh, c);
+    for (int i = 0; i < block.count; i += Float::lanes)
+      store(block.irradiance[c] + i, irradiance(p, load_vector<Float>(block.n, i)));
+  }
 }
 
 [[gnu::noinline]] inline void read_dfg(const ShadeArgs& args, Block& block) {

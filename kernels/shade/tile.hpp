@@ -19,14 +19,14 @@ namespace {
 /// Radiance towards the eye from the environment: Karis 2013's split sum with Fdez-Aguera 2019's compensation. i counts
 /// the block's fragments.
 template <bool lights, class F>
-TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& block, int i, const float sh[9][3]) {
+TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& block, int i) {
   const std::uint32_t at = block.first + std::uint32_t(i);
   const Reflectance<F> surface = block_reflectance<lights, F>(g, block, i);
   const F weight = schlick_weight(clamp_NoV(load<F>(block.nv + i)));
   const EnvironmentSplit<F> split = multiple_scattering_FdezAguera(
       surface.f0, load<F>(block.A + i), load<F>(block.B + i), weight, load<F>(block.roughness + i));
   const Vec3<F> specular = load_vector<F>(block.specular, i);
-  const Vec3<F> diffuse = irradiance(sh, load_vector<F>(block.n, i));
+  const Vec3<F> diffuse = load_vector<F>(block.irradiance, i);
   const F occlusion = load_occlusion<F>(g, at);
   const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n) {
     const F transmitted = albedo * (F(1) - single - multiple);
@@ -39,7 +39,7 @@ TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& bloc
 
 /// The last stage: all that a block sends to the eye, summed.
 template <std::uint32_t Features, bool plain, class F>
-inline void finish(const ShadeArgs& args, const Block& block, const OptionsBlock& options) {
+inline void finish(const ShadeArgs& args, const Block& block) {
   constexpr bool lights = (Features & feature_lights) != 0;
   const GBufferView g = args.gbuffer;
   for (int i = 0; i < block.count; i += F::lanes) {
@@ -50,9 +50,9 @@ inline void finish(const ShadeArgs& args, const Block& block, const OptionsBlock
     if constexpr (lights)
       radiance = {load<F>(args.radiance[0] + at), load<F>(args.radiance[1] + at), load<F>(args.radiance[2] + at)};
     if constexpr ((Features & feature_environment) && plain)
-      radiance = radiance + shade_environment<lights, F>(g, block, i, args.environment.irradiance_sh);
+      radiance = radiance + shade_environment<lights, F>(g, block, i);
     else if constexpr (Features & feature_environment)
-      radiance = radiance + shade_environment_options<lights>(args, block, options, i);
+      radiance = radiance + shade_environment_options<lights>(args, block, i);
     if constexpr (Features & feature_emissive) radiance = radiance + load_clamped<F>(g.emissive, at, 0, max_radiance);
     if constexpr (Features & feature_unlit)
       radiance = select<F>(load<F>(g.unlit + at) > F(0.5), load_clamped<F>(g.base_color, at, 0, 1), radiance);
@@ -78,8 +78,8 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
     block.count = left < block_size ? (left + Wide::lanes - 1) / Wide::lanes * Wide::lanes : block_size;
     if constexpr (lights || environment) find_directions<mirror, Wide>(args, block);
     if constexpr (mirror) {
-      find_dfg_footprints<Wide>(args, block);
-      find_cube_footprints<Wide>(args, block);
+      find_footprints<Wide>(args, block);
+      find_irradiance(args, block);
       read_dfg(args, block);
     } else if constexpr (environment) {
       sample_environment_options(args, block, options);
@@ -87,9 +87,9 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
     if constexpr (lights) shade_lights<environment, mirror>(args, list, kind, block);
     if constexpr (mirror) read_cube<HalfTexels>(args, block);
     if constexpr (plain)
-      finish<Features, plain, Wide>(args, block, options);
+      finish<Features, plain, Wide>(args, block);
     else
-      finish<Features, plain, Float>(args, block, options);
+      finish<Features, plain, Float>(args, block);
   }
 }
 
