@@ -180,7 +180,7 @@ struct IrradiancePolynomial {
 template <class F>
 TESSERA_INLINE IrradiancePolynomial<F> irradiance_polynomial(const float sh[9][3], int channel) {
   double c[9];
-  for (int k = 0; k < 9; ++k) c[k] = double{sh[k][channel]};
+  for (int k = 0; k < 9; ++k) c[k] = double(sh[k][channel]);
   // c6 (3 z^2 - 1) + c8 (x^2 - y^2)
   return {F(c[8] - 3 * c[6]), F(c[4]), F(c[7]), F(c[3]), F(-c[8] - 3 * c[6]), F(c[5]), F(c[1]), F(c[2]),
           F(c[0] + 2 * c[6])};
