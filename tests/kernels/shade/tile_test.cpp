@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include "kernels/runnable_kernels.hpp"
 #include "kernels/shade/shade_scene.hpp"
@@ -72,6 +74,50 @@ TEST_F(ShadeAgainstReference, EachKindOfLightAlone) {
       kernels->shade(shade_args(gbuffer_, eye, lights, nullptr));
       EXPECT_LT(largest_error(gbuffer_, expected), 3e-5)
           << kernels->isa << " type " << int(light.type) << " falloff " << int(light.falloff);
+    }
+  }
+}
+
+// The light, and two like it from other sides.
+std::vector<LightView> three_of(const LightView& light) {
+  std::vector<LightView> lights = {light, light, light};
+  for (int k = 1; k < 3; ++k) {
+    LightView& other = lights[std::size_t(k)];
+    for (float(LightView::*vector)[3] : {&LightView::position, &LightView::direction}) {
+      const auto& from = light.*vector;
+      const float c = k == 1 ? 0.28f : -0.8f, s = k == 1 ? 0.96f : 0.6f;
+      (other.*vector)[0] = c * from[0] + s * from[2];
+      (other.*vector)[2] = c * from[2] - s * from[0];
+    }
+    other.color[1] = float(k);
+  }
+  return lights;
+}
+
+// A list of one kind has a loop of its own; a light out of reach adds nothing, but its list is of several kinds.
+TEST_F(ShadeAgainstReference, ThreeOfAKind) {
+  for (const LightView& light : all_kinds_of_lights()) {
+    const std::vector<LightView> lights = three_of(light);
+    const auto expected = reference_radiance(gbuffer_, lights, nullptr);
+    LightView out_of_reach = light;
+    out_of_reach.type = light.type == LightType::point ? LightType::spot : LightType::point;
+    out_of_reach.position[0] = 1e6f;
+    out_of_reach.inverse_range_squared = 1;
+    for (const Kernels* kernels : runnable_kernels()) {
+      SCOPED_TRACE(std::string(kernels->isa) + " type " + std::to_string(int(light.type)) + " falloff " +
+                   std::to_string(int(light.falloff)));
+      kernels->shade(shade_args(gbuffer_, eye, lights, nullptr));
+      EXPECT_LT(largest_error(gbuffer_, expected), 3e-5);
+      std::vector<float> of_a_kind[3];
+      for (int c = 0; c < 3; ++c)
+        of_a_kind[c].assign(gbuffer_.radiance()[c], gbuffer_.radiance()[c] + gbuffer_.count());
+      for (std::size_t place = 0; place <= lights.size(); ++place) {
+        std::vector<LightView> mixed = lights;
+        mixed.insert(mixed.begin() + std::ptrdiff_t(place), out_of_reach);
+        kernels->shade(shade_args(gbuffer_, eye, mixed, nullptr));
+        for (int c = 0; c < 3; ++c)
+          EXPECT_EQ(std::memcmp(gbuffer_.radiance()[c], of_a_kind[c].data(), gbuffer_.count() * sizeof(float)), 0);
+      }
     }
   }
 }
