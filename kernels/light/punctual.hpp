@@ -33,6 +33,23 @@ TESSERA_INLINE LightKind kind_of(const LightView& light) {
   return plus_one ? LightKind::point_plus_one : LightKind::point;
 }
 
+/// body.template operator()<kind>(), for a kind that a light has: not mixed.
+template <class Body>
+TESSERA_INLINE auto with_kind(LightKind kind, const Body& body) {
+  switch (kind) {
+    case LightKind::directional:
+      return body.template operator()<LightKind::directional>();
+    case LightKind::point:
+      return body.template operator()<LightKind::point>();
+    case LightKind::point_plus_one:
+      return body.template operator()<LightKind::point_plus_one>();
+    case LightKind::spot:
+      return body.template operator()<LightKind::spot>();
+    default:
+      return body.template operator()<LightKind::spot_plus_one>();
+  }
+}
+
 /// A light as a point sees it before any root is taken: enough to know whether it reaches the point at all.
 template <class F>
 struct Reach {

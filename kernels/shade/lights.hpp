@@ -42,21 +42,9 @@ struct LightRay {
 template <LightKind kind, class F>
 TESSERA_INLINE bool find_ray(const LitPoint<F>& p, const LightView& light, LightRay<F>& ray) {
   if constexpr (kind == LightKind::mixed) {
-    switch (kind_of(light)) {
-      case LightKind::directional:
-        return find_ray<LightKind::directional>(p, light, ray);
-      case LightKind::point:
-        return find_ray<LightKind::point>(p, light, ray);
-      case LightKind::point_plus_one:
-        return find_ray<LightKind::point_plus_one>(p, light, ray);
-      case LightKind::spot:
-        return find_ray<LightKind::spot>(p, light, ray);
-      case LightKind::spot_plus_one:
-        return find_ray<LightKind::spot_plus_one>(p, light, ray);
-      case LightKind::mixed:
-        break;
-    }
-    return false;
+    ray = {
+        {F(0), F(0), F(0)}, F(0), F(0), F(0), F(0)};  // GCC 12 does not see through the lambda that none is used unset
+    return with_kind(kind_of(light), [&]<LightKind one>() { return find_ray<one>(p, light, ray); });
   } else {
     const Reach<F> reach = light_reach<kind>(light, p.position);
     const F nd = dot(p.n, reach.d);

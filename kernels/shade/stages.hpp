@@ -245,21 +245,8 @@ template <bool environment, bool mirror, LightKind kind>
 
 template <bool environment, bool mirror>
 TESSERA_INLINE void shade_lights(const ShadeArgs& args, const LightList& lights, LightKind kind, Block& block) {
-  const auto shade = [&]<LightKind one>() { shade_lights<environment, mirror, one>(args, lights, block); };
-  switch (kind) {
-    case LightKind::directional:
-      return shade.template operator()<LightKind::directional>();
-    case LightKind::point:
-      return shade.template operator()<LightKind::point>();
-    case LightKind::point_plus_one:
-      return shade.template operator()<LightKind::point_plus_one>();
-    case LightKind::spot:
-      return shade.template operator()<LightKind::spot>();
-    case LightKind::spot_plus_one:
-      return shade.template operator()<LightKind::spot_plus_one>();
-    case LightKind::mixed:
-      return shade.template operator()<LightKind::mixed>();
-  }
+  if (kind == LightKind::mixed) return shade_lights<environment, mirror, LightKind::mixed>(args, lights, block);
+  with_kind(kind, [&]<LightKind one>() { shade_lights<environment, mirror, one>(args, lights, block); });
 }
 
 }  // namespace

@@ -28,26 +28,11 @@ struct Arriving {
 
 template <class F>
 Arriving<F> at(const LightView& light, F x, F y, F z) {
-  const auto arriving = [&]<kernel::LightKind kind>() -> Arriving<F> {
+  return kernel::with_kind(kernel::kind_of(light), [&]<kernel::LightKind kind>() -> Arriving<F> {
     const auto reach = kernel::light_reach<kind>(light, kernel::Vec3<F>{x, y, z});
     const auto in = kernel::incident_light<kind>(light, reach);
     return {reach.d * in.inverse_length, in.strength / in.divisor};
-  };
-  switch (kernel::kind_of(light)) {
-    case kernel::LightKind::directional:
-      return arriving.template operator()<kernel::LightKind::directional>();
-    case kernel::LightKind::point:
-      return arriving.template operator()<kernel::LightKind::point>();
-    case kernel::LightKind::point_plus_one:
-      return arriving.template operator()<kernel::LightKind::point_plus_one>();
-    case kernel::LightKind::spot:
-      return arriving.template operator()<kernel::LightKind::spot>();
-    case kernel::LightKind::spot_plus_one:
-      return arriving.template operator()<kernel::LightKind::spot_plus_one>();
-    case kernel::LightKind::mixed:
-      break;
-  }
-  return {};
+  });
 }
 
 TEST(PunctualLight, DirectionalIsTheSameEverywhere) {
