@@ -186,6 +186,11 @@ TESSERA_INLINE IrradiancePolynomial<F> irradiance_polynomial(const float sh[9][3
           F(c[0] + 2 * c[6])};
 }
 
+template <class F>
+TESSERA_INLINE IrradiancePolynomial<F> broadcast(const IrradiancePolynomial<float>& p) {
+  return {F(p.xx), F(p.xy), F(p.xz), F(p.x), F(p.yy), F(p.yz), F(p.y), F(p.z), F(p.one)};
+}
+
 /// Clamped to >= 0: a bright sun makes the truncated series negative on its far side.
 template <class F>
 TESSERA_INLINE F irradiance(const IrradiancePolynomial<F>& p, const Vec3<F>& n) {

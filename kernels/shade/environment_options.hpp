@@ -194,7 +194,7 @@ inline void sample_environment_options(const ShadeArgs& args, Block& block, Opti
   if (environment.irradiance.texels != nullptr)
     read_irradiance(environment.irradiance, block);
   else
-    find_irradiance(args, block);
+    find_irradiance(block);
 }
 
 /// Radiance towards the eye from the environment: split sum (Karis 2013) with Fdez-Aguera 2019's compensation. i counts

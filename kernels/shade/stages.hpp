@@ -55,6 +55,8 @@ struct Footprints {
 
 /// Some fragments of a tile on their way through the stages.
 struct Block {
+  IrradiancePolynomial<float> harmonics[3];  // of the environment: the same for all blocks of a call
+
   std::uint32_t first;  // of the tile's fragments
   int count;            // a multiple of Wide::lanes; there may be fewer fragments in the last lanes
 
@@ -157,9 +159,9 @@ template <class F>
 }
 
 /// From the harmonics, a channel at a time: its constants stay in registers.
-[[gnu::noinline]] inline void find_irradiance(const ShadeArgs& args, Block& block) {
+[[gnu::noinline]] inline void find_irradiance(Block& block) {
   for (int c = 0; c < 3; ++c) {
-    const IrradiancePolynomial<Float> p = irradiance_polynomial<Float>(args.environment.irradiance_sh, c);
+    const IrradiancePolynomial<Float> p = broadcast<Float>(block.harmonics[c]);
     for (int i = 0; i < block.count; i += Float::lanes)
       store(block.irradiance[c] + i, irradiance(p, load_vector<Float>(block.n, i)));
   }

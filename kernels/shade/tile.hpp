@@ -72,6 +72,8 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
   const LightList list = {args.lights, args.light_list, light_count};
   const LightKind kind = lights ? kind_of(list) : LightKind::mixed;
   Block block;
+  if constexpr (environment)
+    for (int c = 0; c < 3; ++c) block.harmonics[c] = irradiance_polynomial<float>(args.environment.irradiance_sh, c);
   OptionsBlock options;
   for (block.first = 0; block.first < args.count; block.first += block_size) {
     const int left = static_cast<int>(args.count - block.first);
@@ -79,7 +81,7 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
     if constexpr (lights || environment) find_directions<mirror, Wide>(args, block);
     if constexpr (mirror) {
       find_footprints<Wide>(args, block);
-      find_irradiance(args, block);
+      find_irradiance(block);
       read_dfg(args, block);
     } else if constexpr (environment) {
       sample_environment_options(args, block, options);
