@@ -25,7 +25,7 @@ struct LightView {
 };
 
 enum class CubeFormat : std::uint32_t {
-  rgba16_float,  // four halves
+  rgba16_float,  // four halves, none of them with its sign bit set
   rgb9_e5,       // one 32-bit word: nine bits a channel from the lowest on, five bits of a common exponent
 };
 

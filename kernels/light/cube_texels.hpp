@@ -30,13 +30,13 @@ struct TexelPair {
 // ------------------------------------------------------------------------------------------------------------ halves
 
 /// Halves become floats by a shift, which leaves them 2^-112 times too small (exactly, subnormals included): the factor
-/// goes into the weights that they are multiplied by anyway. Signs are dropped; infinities and NaNs become numbers.
+/// goes into the weights that they are multiplied by anyway. Infinities and NaNs become numbers.
 template <>
 inline constexpr float texel_scale<HalfTexels, Float> = 0x1p112f;
 template <>
 inline constexpr float texel_scale<HalfTexels, Pair<Float>> = 0x1p112f;
-TESSERA_INLINE Float scaled_low_half(Int x) { return from_bits((x << 13) & Int(0x0fffe000)); }
-TESSERA_INLINE Float scaled_high_half(Int x) { return from_bits(shift_right_logical(x, 3) & Int(0x0fffe000)); }
+TESSERA_INLINE Float scaled_low_half(Int x) { return from_bits(low_half_shifted<13>(x)); }
+TESSERA_INLINE Float scaled_high_half(Int x) { return from_bits(high_half_shifted<13>(x)); }
 
 /// Two neighbours as they lie in memory, eight halves: the texels divided by texel_scale.
 TESSERA_INLINE TexelPair<Float> decode_texels(const Float (&words)[4]) {

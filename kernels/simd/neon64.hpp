@@ -37,6 +37,14 @@ TESSERA_INLINE int32x4_t shift_right(int32x4_t x, int n) { return x >> n; }
 TESSERA_INLINE int32x4_t shift_right_logical(int32x4_t x, int n) {
   return vreinterpretq_s32_u32(vreinterpretq_u32_s32(x) >> static_cast<unsigned>(n));
 }
+template <int n>
+TESSERA_INLINE int32x4_t low_half_shifted(int32x4_t x) {
+  return vshrq_n_s32(vshlq_n_s32(x, 16), 16 - n);
+}
+template <int n>
+TESSERA_INLINE int32x4_t high_half_shifted(int32x4_t x) {
+  return vshlq_n_s32(vshrq_n_s32(x, 16), n);
+}
 
 TESSERA_INLINE std::uint32_t mask_bits(uint32x4_t m) {
   const uint32x4_t bit = {1, 2, 4, 8};

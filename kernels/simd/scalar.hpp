@@ -63,6 +63,14 @@ TESSERA_INLINE std::int32_t shift_right_logical(std::int32_t x, int n) {
 TESSERA_INLINE std::int64_t shift_right_logical(std::int64_t x, int n) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(x) >> n);
 }
+template <int n>
+TESSERA_INLINE std::int32_t low_half_shifted(std::int32_t x) {
+  return static_cast<std::int16_t>(x) * (1 << n);
+}
+template <int n>
+TESSERA_INLINE std::int32_t high_half_shifted(std::int32_t x) {
+  return (x >> 16) * (1 << n);
+}
 
 // The caller keeps x within the integer's range.
 TESSERA_INLINE std::int32_t truncate_to_int(float x) { return static_cast<std::int32_t>(x); }

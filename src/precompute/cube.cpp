@@ -14,6 +14,8 @@
 namespace tessera {
 namespace {
 
+constexpr std::uint16_t no_sign = 0x7fff;  // radiance is not below 0, and kernels read texels without their signs
+
 struct TexelOfFace {
   int face, i, j;
 };
@@ -133,6 +135,7 @@ Cube::Cube(int size, int levels) : texels_(cube_texel_count(size, levels) * 4), 
 Cube::Cube(int size, int levels, AlignedVector<std::uint16_t> texels)
     : texels_(std::move(texels)), size_(size), levels_(levels) {
   assert(texels_.size() == cube_texel_count(size, levels) * 4);
+  for (std::uint16_t& half : texels_) half &= no_sign;
 }
 
 std::size_t Cube::offset(int level, int face, int i, int j) const {
@@ -155,7 +158,8 @@ std::size_t Cube::store(int level, const CubeLevel& from, const Kernels& kernels
       for (int c = 0; c < 3; ++c) texel[c] = std::min(texel[c], max_half);
     }
     kernels.pack_half(line.data(), halves.data(), n * 4);
-    std::copy(halves.begin(), halves.end(), texel(level, face, 0, j));
+    std::transform(halves.begin(), halves.end(), texel(level, face, 0, j),
+                   [](std::uint16_t half) { return std::uint16_t(half & no_sign); });
   });
   for (int face = 0; face < 6; ++face) fill_border(level, face, kernels);
   return std::accumulate(clamped.begin(), clamped.end(), std::size_t{0});

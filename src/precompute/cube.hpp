@@ -50,7 +50,8 @@ class Cube {
   Cube() = default;
   /// size: a power of two up to max_cube_size; 1 <= levels <= log2(size) + 1. Texels are 0.
   Cube(int size, int levels);
-  /// From what texels() of another one gave. `texels` must have the length that size and levels ask for.
+  /// From what texels() of another one gave. `texels` must have the length that size and levels ask for. Signs are
+  /// dropped.
   Cube(int size, int levels, AlignedVector<std::uint16_t> texels);
 
   [[nodiscard]] CubeView view() const { return {texels_.data(), size_, levels_}; }
@@ -60,8 +61,8 @@ class Cube {
   /// All levels with their borders, as CubeView has them.
   [[nodiscard]] const AlignedVector<std::uint16_t>& texels() const { return texels_; }
 
-  /// Rounds a level to halves, values above the largest half clamped to it, and fills its border. Returns how many
-  /// texels were clamped.
+  /// Rounds a level to halves, without signs, values above the largest half clamped to it, and fills its border.
+  /// Returns how many texels were clamped.
   std::size_t store(int level, const CubeLevel& from, const Kernels& kernels);
   /// The reverse, without its border.
   [[nodiscard]] CubeLevel load(int level, const Kernels& kernels) const;

@@ -111,6 +111,8 @@ const Row rows[] = {
     INTS(shift_left, Bits(i) << shift),
     INTS(shift_right, std::int64_t{i} >> shift),
     INTS(shift_right_logical, Bits(i) >> shift),
+    INTS(low_half_shifted, (std::int16_t(i) * 8192) ^ std::int16_t(i)),
+    INTS(high_half_shifted, (std::int16_t(i >> 16) * 8192) ^ (std::int16_t(i >> 16) * 16384)),
     INTS(int_min, std::min(i, j)),
     INTS(int_max, std::max(i, j)),
     INTS(int_less, mask(i < j)),

@@ -126,6 +126,10 @@ void apply(const OperationArgs& args) {
       return ints([=](I i, I) { return i >> shift; });
     case Operation::shift_right_logical:
       return ints([=](I i, I) { return shift_right_logical(i, shift); });
+    case Operation::low_half_shifted:
+      return ints([](I i, I) { return low_half_shifted<13>(i) ^ low_half_shifted<0>(i); });
+    case Operation::high_half_shifted:
+      return ints([](I i, I) { return high_half_shifted<13>(i) ^ high_half_shifted<14>(i); });
     case Operation::int_min:
       return ints([](I i, I j) { return min(i, j); });
     case Operation::int_max:

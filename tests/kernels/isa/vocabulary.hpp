@@ -50,6 +50,8 @@ enum class Operation {
   shift_left,
   shift_right,
   shift_right_logical,
+  low_half_shifted,
+  high_half_shifted,
   int_min,
   int_max,
   int_less,
