@@ -19,7 +19,7 @@ constexpr int cube_size = 256, cube_levels = 9, dfg_size = 128;
 struct TileOfPixels {
   AlignedVector<float> planes = AlignedVector<float>(std::size_t{tile_pixels} * (gbuffer_planes + 3));
   std::vector<std::uint16_t> cube = std::vector<std::uint16_t>(4 * cube_texel_count(cube_size, cube_levels) + 8);
-  std::vector<float> dfg = std::vector<float>(2 * dfg_size * dfg_size, 0.4f);
+  std::vector<float> dfg = std::vector<float>(2 * dfg_pitch(dfg_size) * dfg_pitch(dfg_size), 0.4f);
   std::vector<LightView> lights;
 
   [[nodiscard]] float* plane(int k) { return planes.data() + std::size_t{tile_pixels} * k; }

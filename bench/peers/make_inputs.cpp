@@ -55,8 +55,9 @@ void write_all(const std::string& folder) {
   }
   write_environment(folder, kernels);
   const DfgTable table = build_dfg_table(kernels);
-  std::vector<std::uint16_t> halves(table.texels.size());
-  kernels.pack_half(table.texels.data(), halves.data(), halves.size());
+  const auto row = std::size_t(2 * table.size);
+  std::vector<std::uint16_t> halves(row * std::size_t(table.size));
+  for (int j = 0; j < table.size; ++j) kernels.pack_half(table.node(0, j), halves.data() + std::size_t(j) * row, row);
   write(folder + "/dfg.rg16f", halves.data(), halves.size());
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "precompute/dfg.hpp"
 
 namespace tessera::workload {
 
@@ -55,8 +56,9 @@ Surroundings::Surroundings(const std::string& folder, const Kernels& kernels) : 
   const auto sh = read_exactly<float>(folder + "/sh9.f32", 27);
   for (int i = 0; i < 27; ++i) environment.irradiance_sh[i / 3][i % 3] = sh[std::size_t(i)];
   const auto table = read_exactly<std::uint16_t>(folder + "/dfg.rg16f", std::size_t{2} * dfg_size * dfg_size);
-  dfg_texels.resize(table.size());
-  kernels.unpack_half(table.data(), dfg_texels.data(), table.size());
+  AlignedVector<float> pairs(table.size());
+  kernels.unpack_half(table.data(), pairs.data(), table.size());
+  dfg_texels = with_border(pairs.data(), dfg_size);
   dfg = {dfg_texels.data(), dfg_size};
 }
 
@@ -67,7 +69,7 @@ static std::size_t store_order(int x, int y) {
 
 Surroundings::Surroundings(Cube prefiltered, const IrradianceSh& sh, AlignedVector<float> dfg_pairs,
                            const float* eye_position)
-    : cube(std::move(prefiltered)), dfg_texels(std::move(dfg_pairs)) {
+    : cube(std::move(prefiltered)), dfg_texels(with_border(dfg_pairs.data(), dfg_size)) {
   std::copy_n(eye_position, 4, eye);
   environment.specular = cube.view();
   std::copy_n(&sh.coefficients[0][0], 27, &environment.irradiance_sh[0][0]);

@@ -9,7 +9,7 @@
 namespace tessera {
 
 struct DfgTableArgs {
-  float* out;  // the whole table: DfgView::texels
+  float* out;  // the whole table: size x size pairs, DfgView::texels without its border
   int size;
   int row_begin, row_end;
 };

@@ -99,12 +99,14 @@ struct EnvironmentShading {
 
 // Directional albedo of the specular lobe: integral f = F0 A + F90 B. Plain: pairs (A, B), texel i of row j at NoV = (i
 // + 0.5) / size, r = (j + 0.5) / size. Warped: pairs and axes of DfgWarpedAxes (kernels/light/dfg_lookup.hpp), which
-// err a thousand times less between the nodes.
+// err a thousand times less between the nodes. Either has a border of one texel, copies of those at its edge, so that a
+// bilinear footprint never leaves it.
 struct DfgView {
-  const float* texels;
-  int size;
+  const float* texels;  // (size + 2) x (size + 2) pairs
+  int size;             // without the border; at least 2
   bool warped = false;
 };
+inline constexpr int dfg_pitch(int size) { return size + 2; }  // from one row to the next, in pairs
 
 enum ShadeFeature : std::uint32_t {  // what a set of fragments calls for; the smallest kernel that covers it is run
   feature_lights = 1,

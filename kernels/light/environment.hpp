@@ -48,9 +48,9 @@ struct BilinearFootprint {
   F w00, w01, w10, w11;
 };
 
-/// The bilinear footprint, times weight, in a level of 2 half texels along a face whose first texel has the index
-/// `start`. The border makes it seamless: no footprint leaves its face.
-template <class Texels = HalfTexels, class F>
+/// The bilinear footprint, times weight (of the texel format's texel_scale), in a level of 2 half texels along a face
+/// whose first texel has the index `start`. The border makes it seamless: no footprint leaves its face.
+template <class F>
 TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F half, IntOf<F> start, int pitch, F weight) {
   using I = IntOf<F>;
   const F centre = half + F(0.5);  // texel 0's centre is at 1/2 in the face and at 3/2 with the border: s n + 1/2
@@ -60,8 +60,7 @@ TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F half
 
   BilinearFootprint<F> f;
   f.above = j * I(pitch) + (start + i);
-  const F scaled = weight * F(texel_scale<Texels, F>);
-  const F wy1 = fy * scaled, wy0 = scaled - wy1;
+  const F wy1 = fy * weight, wy0 = weight - wy1;
   f.w01 = fx * wy0;
   f.w00 = wy0 - f.w01;
   f.w11 = fx * wy1;
@@ -98,25 +97,26 @@ template <class Texels = HalfTexels, class F>
 TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F>& p, F lod) {
   using I = IntOf<F>;
   const int pitch = cube_pitch(cube.size, cube.levels);
+  const F whole = F(texel_scale<Texels, F>);
   CubeLookup<F> lookup;
   if (cube.levels == 1) {
-    lookup.fine = lookup.coarse = cube_footprint<Texels>(p, F(cube.size) * F(0.5), p.face, pitch, F(1));
+    lookup.fine = lookup.coarse = cube_footprint(p, F(cube.size) * F(0.5), p.face, pitch, whole);
     lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
     return lookup;
   }
   const int last = cube.levels - 1;
   const F level = clamp(lod, F(0), F(last));
   const I fine = min(truncate_to_int(level), I(last - 1));  // at the last level: all weight on the coarser one
-  const F w = level - to_float(fine);
+  const F w = (level - to_float(fine)) * whole;
 
   const F half = from_bits(bits(F(cube.size) * F(0.5)) - (fine << mantissa_bits<F>));  // exact
   const I n = truncate_to_int(half + half);
   // cube_level_start() of the coarser level, which is never level 0, and of the finer one, which may be.
   const int below = (cube.size + 2) * pitch;
-  const I coarse_start = p.face + ((fine << 1) - n + I(below + cube.size));
+  const I coarse_start = p.face + (fine + fine - n + I(below + cube.size));
   const I fine_start = select(fine > I(0), coarse_start - n - I(2), p.face);
-  lookup.fine = cube_footprint<Texels>(p, half, fine_start, pitch, F(1) - w);
-  lookup.coarse = cube_footprint<Texels>(p, half * F(0.5), coarse_start, pitch, w);
+  lookup.fine = cube_footprint(p, half, fine_start, pitch, whole - w);
+  lookup.coarse = cube_footprint(p, half * F(0.5), coarse_start, pitch, w);
   return lookup;
 }
 
@@ -142,7 +142,7 @@ template <class F>
 TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubeView& cube, const CubePoint<F>& p,
                                                    const WholeLevel& level) {
   return cube_footprint(p, F(level.half), p.face + IntOf<F>(level.start), cube_pitch(cube.size, cube.levels),
-                        F(level.weight));
+                        F(level.weight * texel_scale<HalfTexels, F>));
 }
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
@@ -199,6 +199,12 @@ TESSERA_INLINE F irradiance(const IrradiancePolynomial<F>& p, const Vec3<F>& n) 
   return max(mul_add(n.x, along_x, mul_add(n.y, along_y, mul_add(n.z, p.z, p.one))), F(0));
 }
 
+/// The texel that DfgPosition counts from: linear axes reach into the border on both sides, warped ones begin at the
+/// first node.
+TESSERA_INLINE const float* dfg_origin(const DfgView& dfg) {
+  return dfg.warped ? dfg.texels + 2 * (dfg_pitch(dfg.size) + 1) : dfg.texels;
+}
+
 /// (A, B) of two neighbours in a row of the table.
 template <class F>
 struct DfgTexels {
@@ -209,36 +215,35 @@ TESSERA_INLINE DfgTexels<Float> dfg_texels(const Float (&words)[4]) { return {wo
 template <class F>
 TESSERA_INLINE DfgTexels<F> dfg_texels(const DfgView& dfg, IntOf<F> index) {
   Float words[4];
-  gather_quads(dfg.texels, index << 1, words);
+  gather_quads(dfg_origin(dfg), index << 1, words);
   return dfg_texels(words);
 }
 template <>
 inline DfgTexels<float> dfg_texels<float>(const DfgView& dfg, std::int32_t index) {
-  const float* t = dfg.texels + std::ptrdiff_t{2} * index;
+  const float* t = dfg_origin(dfg) + std::ptrdiff_t{2} * index;
   return {t[0], t[1], t[2], t[3]};
 }
 template <>
 inline DfgTexels<double> dfg_texels<double>(const DfgView& dfg, std::int64_t index) {
-  const float* t = dfg.texels + 2 * index;
+  const float* t = dfg_origin(dfg) + 2 * index;
   return {double(t[0]), double(t[1]), double(t[2]), double(t[3])};
 }
 
-/// NoV and r (perceptual) in [0, 1].
+/// In texels from dfg_origin(), never below 0. NoV and r (perceptual) in [0, 1].
 template <class F>
 TESSERA_INLINE DfgPosition<F> dfg_position(const DfgView& dfg, F NoV, F r) {
   const F size = F(dfg.size);
-  return dfg.warped ? DfgWarpedAxes::position(NoV, r, size) : DfgLinearAxes::position(NoV, r, size);
+  if (dfg.warped) return DfgWarpedAxes::position(NoV, r, size);
+  return {mul_add(NoV, size, F(0.5)), mul_add(r, size, F(0.5))};  // node 0 is at 1/2, and at 3/2 with the border
 }
-/// Bilinear, clamped to the table's edge.
+/// Bilinear. The border clamps to the table's edge.
 template <class F>
 TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, const DfgPosition<F>& at) {
   using I = IntOf<F>;
-  const F last = F(dfg.size - 1);
-  const F x = clamp(at.x, F(0), last), y = clamp(at.y, F(0), last);
-  const I i = truncate_to_int(min(x, F(dfg.size - 2))), j = truncate_to_int(min(y, F(dfg.size - 2)));
-  const F w1 = x - to_float(i), v1 = y - to_float(j);
+  const I i = truncate_to_int(at.x), j = truncate_to_int(at.y);
+  const F w1 = at.x - to_float(i), v1 = at.y - to_float(j);
   const F w0 = F(1) - w1, v0 = F(1) - v1;
-  const I above = j * I(dfg.size) + i;
+  const I above = j * I(dfg_pitch(dfg.size)) + i;
   return {above, v0 * w0, v0 * w1, v1 * w0, v1 * w1};
 }
 
@@ -254,12 +259,13 @@ TESSERA_INLINE EnvironmentBRDF<F> blend(const DfgView& dfg, F NoV, const Bilinea
   return dfg.warped ? DfgWarpedAxes::value(first, second, NoV) : EnvironmentBRDF<F>{first, second};
 }
 
-/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. Arguments as dfg_position.
+/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. NoV and r (perceptual) are clamped to
+/// [0, 1].
 template <class F>
 inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
-  const BilinearFootprint<F> f = dfg_footprint(dfg, dfg_position(dfg, NoV, r));
+  const BilinearFootprint<F> f = dfg_footprint(dfg, dfg_position(dfg, saturate(NoV), saturate(r)));
   const DfgTexels<F> above = dfg_texels<F>(dfg, f.above);
-  const DfgTexels<F> below = dfg_texels<F>(dfg, f.above + IntOf<F>(dfg.size));
+  const DfgTexels<F> below = dfg_texels<F>(dfg, f.above + IntOf<F>(dfg_pitch(dfg.size)));
   const EnvironmentBRDF<F> brdf = blend(dfg, NoV, f, above, below);
   A = brdf.A;
   B = brdf.B;

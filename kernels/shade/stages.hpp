@@ -24,7 +24,7 @@ struct Footprints {
   /// Entries of two words, or of one.
   template <int entry_words = 2, class F>
   TESSERA_INLINE void set(int i, const BilinearFootprint<F>& f) {
-    store(word + i, entry_words == 2 ? f.above << 1 : f.above);
+    store(word + i, entry_words == 2 ? f.above + f.above : f.above);
     store(weight[0] + i, f.w00);
     store(weight[1] + i, f.w01);
     store(weight[2] + i, f.w10);
@@ -171,7 +171,7 @@ template <class F>
   const DfgView dfg = args.dfg;
   for (int i = 0; i < block.count; i += Float::lanes) {
     Float above[4], below[4];
-    block.dfg.gather(i, dfg.texels, dfg.size, above, below);
+    block.dfg.gather(i, dfg_origin(dfg), dfg_pitch(dfg.size), above, below);
     const Float NoV = clamp_NoV(load<Float>(block.nv + i));
     const EnvironmentBRDF<Float> brdf = blend(dfg, NoV, block.dfg.weights(i), dfg_texels(above), dfg_texels(below));
     store(block.A + i, brdf.A);

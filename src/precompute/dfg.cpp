@@ -6,21 +6,16 @@
 namespace tessera {
 
 DfgTable build_dfg_table(const Kernels& kernels, int size) {
-  DfgTable table;
-  table.size = size;
-  table.texels.resize(std::size_t(size) * std::size_t(size) * 2);
+  AlignedVector<float> pairs(std::size_t(size) * std::size_t(size) * 2);
   parallel_for(std::size_t(size), [&](std::size_t row) {
-    kernels.dfg_table({table.texels.data(), size, int(row), int(row) + 1});
+    kernels.dfg_table({pairs.data(), size, int(row), int(row) + 1});
   });
-  return table;
+  return {with_border(pairs.data(), size), size, false};
 }
 
 DfgTable build_warped_dfg_table(const Kernels& kernels, int size) {
-  DfgTable table;
-  table.texels = build_dfg_variant(kernels, DfgAxes::warped, DfgFormat::float32, size, true).words;
-  table.size = size;
-  table.warped = true;
-  return table;
+  const DfgVariant nodes = build_dfg_variant(kernels, DfgAxes::warped, DfgFormat::float32, size, true);
+  return {with_border(nodes.words.data(), size), size, true};
 }
 
 }  // namespace tessera

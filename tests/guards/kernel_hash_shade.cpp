@@ -1,5 +1,6 @@
 // Shading, and the tables it reads.
 #include "guards/kernel_hash.hpp"
+#include "precompute/dfg.hpp"
 
 namespace tessera {
 namespace {
@@ -19,6 +20,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
   std::vector<float> dfg(2 * dfg_size * dfg_size);
   kernels.dfg_table({dfg.data(), dfg_size, 0, dfg_size});
   hash.add(dfg);
+  const AlignedVector<float> bordered = with_border(dfg.data(), dfg_size);
 
   GBuffer gbuffer;
   for (auto& plane : gbuffer.planes)
@@ -52,7 +54,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                  nullptr,
                  3,
                  environment,
-                 {dfg.data(), dfg_size},
+                 {bordered.data(), dfg_size},
                  {radiance[0].values, radiance[1].values, radiance[2].values},
                  0});
   for (const auto& plane : radiance)
@@ -72,7 +74,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                    nullptr,
                    0,
                    environment,
-                   {dfg.data(), dfg_size},
+                   {bordered.data(), dfg_size},
                    {radiance[0].values, radiance[1].values, radiance[2].values},
                    0,
                    {lobe, EnvironmentFresnel::f0, lobe != EnvironmentLobe::mirror,

@@ -12,6 +12,7 @@
 
 #include "kernels/light/test_cube.hpp"
 #include "kernels/runnable_kernels.hpp"
+#include "precompute/dfg.hpp"
 
 namespace tessera::TESSERA_ISA {
 namespace {
@@ -191,7 +192,8 @@ TEST(SampleDfg, IsBilinearAndClampsToTheEdge) {
   std::vector<float> texels(size * size * 2);
   std::mt19937 random(5);
   for (float& value : texels) value = float(random() % 1000) / 1000;
-  const DfgView table{texels.data(), size};
+  const AlignedVector<float> bordered = with_border(texels.data(), size);
+  const DfgView table{bordered.data(), size};
   const auto texel = [&](int i, int j, int c) {
     i = std::clamp(i, 0, size - 1), j = std::clamp(j, 0, size - 1);
     return double(texels[std::size_t((j * size + i) * 2 + c)]);
@@ -227,7 +229,8 @@ TEST(SampleDfg, WarpedIsLossAndDropOnItsAxes) {
   std::vector<float> texels(size * size * 2);
   std::mt19937 random(6);
   for (float& value : texels) value = float(random() % 1000) / 1000;
-  const DfgView table{texels.data(), size, true};
+  const AlignedVector<float> bordered = with_border(texels.data(), size);
+  const DfgView table{bordered.data(), size, true};
   const auto texel = [&](int i, int j, int c) { return double(texels[std::size_t((j * size + i) * 2 + c)]); };
   for (double NoV = 1e-4; NoV <= 1; NoV += 1.0 / 97) {
     for (double r = 1e-3; r <= 1; r += 1.0 / 89) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/half.hpp"
+#include "precompute/dfg.hpp"
 
 namespace tessera::test {
 namespace {
@@ -145,7 +146,10 @@ EnvironmentView Environment::view() const {
   return view;
 }
 
-DfgView Environment::dfg() const { return {dfg_texels().data(), dfg_size}; }
+DfgView Environment::dfg() const {
+  static const AlignedVector<float> texels = with_border(dfg_texels().data(), dfg_size);
+  return {texels.data(), dfg_size};
+}
 
 reference::ShadeEnvironment Environment::reference() const {
   const auto texel = [this](int level, int face, int x, int y) {

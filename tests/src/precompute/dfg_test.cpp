@@ -17,9 +17,7 @@ double look_up(const DfgTable& table, double mu, double r, int c) {
   const double last = table.size - 1;
   const double x = std::clamp(mu * table.size - 0.5, 0.0, last), y = std::clamp(r * table.size - 0.5, 0.0, last);
   const int i = std::min(int(x), table.size - 2), j = std::min(int(y), table.size - 2);
-  const auto at = [&](int a, int b) {
-    return double(table.texels[std::size_t(((j + b) * table.size + i + a) * 2 + c)]);
-  };
+  const auto at = [&](int a, int b) { return double(table.node(i + a, j + b)[c]); };
   const double wx = x - i, wy = y - j;
   return (at(0, 0) * (1 - wx) + at(1, 0) * wx) * (1 - wy) + (at(0, 1) * (1 - wx) + at(1, 1) * wx) * wy;
 }
@@ -56,7 +54,7 @@ TEST(DfgTable, IsCloseBetweenItsNodes) {
 TEST(DfgTable, WarpedIsWithinATenThousandthEverywhere) {
   const DfgTable table = build_warped_dfg_table(select_kernels());
   const double last = table.size - 1;
-  const auto at = [&](int i, int j, int c) { return double(table.texels[std::size_t((j * table.size + i) * 2 + c)]); };
+  const auto at = [&](int i, int j, int c) { return double(table.node(i, j)[c]); };
   double worst = 0;
   for (double mu = 1e-3; mu < 1; mu *= 1.137) {
     for (double r = 0.02; r < 1; r += 0.0377) {
