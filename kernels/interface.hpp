@@ -84,6 +84,9 @@ struct Kernels {
 
   // entry/shade.cpp
   void (*shade)(const ShadeArgs&);
+  // Puts what shading reads of `count` fragments, rounded up to max_lanes, into GBufferView's ranges (a normal's
+  // components into [-1, 1]); NaN becomes the lower end. Planes that are null are skipped.
+  void (*clamp_surfaces)(const GBufferView&, std::uint32_t count);
   void (*background)(const BackgroundArgs&);
   // Indices of the lights whose range reaches the fragments' bounding box, ascending; how many. Any other light adds
   // exactly nothing to any of the fragments.

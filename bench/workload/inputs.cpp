@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "frame/dispatch.hpp"
 #include "precompute/dfg.hpp"
 
 namespace tessera::workload {
@@ -92,6 +93,7 @@ BlockedGBuffer::BlockedGBuffer(const std::vector<float>& raw, int width, int hei
         values[(block * planes + p) * block_pixels + store_order(int(x % block_size), int(y % block_size))] =
             raw[(p * h + y) * w + x];
       }
+  for (int i = 0; i < blocks(); ++i) select_kernels().clamp_surfaces(block(i), block_pixels);
 }
 
 BlockedGBuffer::BlockedGBuffer(const BlockedGBuffer& other, int width, int height)

@@ -25,6 +25,7 @@ void resolve_alpha(const ResolveAlphaArgs&);
 extern const TermSpan<float>* const terms[];  // terms.cpp
 
 void shade(const ShadeArgs&);  // shade.cpp
+void clamp_surfaces(const GBufferView&, std::uint32_t count);
 void background(const BackgroundArgs&);
 std::uint32_t cull_lights(const CullLightsArgs&);
 void store_pixels(const StorePixelsArgs&);

@@ -19,7 +19,7 @@ struct Place {
 template <bool cube>
 TESSERA_INLINE Place place_of(const Float (&in)[4]) {
   if constexpr (cube) {
-    const CubePoint<Float> p = cube_point(Vec3<Float>{in[0], in[1], in[2]});
+    const CubePoint<Float> p = cube_point_of_any(Vec3<Float>{in[0], in[1], in[2]});
     return {p.face, saturate(mul_add(p.s, Float(0.5), Float(0.5))), saturate(mul_add(p.t, Float(0.5), Float(0.5)))};
   } else {
     return {Int(0), saturate(in[0] - floor(in[0])), saturate(in[1] - floor(in[1]))};  // NaN: 0

@@ -43,6 +43,24 @@ void shade(const ShadeArgs& args) {
   }
 }
 
+void clamp_surfaces(const GBufferView& g, std::uint32_t count) {
+  const auto clamp_plane = [count](float* plane, double low, double high) {
+    if (plane == nullptr) return;
+    const std::uint32_t padded = (count + max_lanes - 1) / max_lanes * max_lanes;
+    for (std::uint32_t i = 0; i < padded; i += Float::lanes)
+      store(plane + i, clamp(load<Float>(plane + i), Float(low), Float(high)));
+  };
+  for (int k = 0; k < 3; ++k) {
+    clamp_plane(g.position[k], -max_coordinate, max_coordinate);
+    clamp_plane(g.normal[k], -1, 1);
+    clamp_plane(g.base_color[k], 0, 1);
+    clamp_plane(g.emissive[k], 0, max_radiance);
+  }
+  clamp_plane(g.metallic, 0, 1);
+  clamp_plane(g.roughness, 0, 1);
+  clamp_plane(g.occlusion, 0, 1);
+}
+
 void background(const BackgroundArgs& args) {
   if (args.cube.texels == nullptr) return color_behind(args);
   const UniformLookup lookup = uniform_lookup(args.cube, args.lod);

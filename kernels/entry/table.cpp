@@ -32,6 +32,7 @@ const Kernels kernels = {
     resolve_alpha,
     terms,
     shade,
+    clamp_surfaces,
     background,
     cull_lights,
     store_pixels,

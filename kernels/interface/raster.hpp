@@ -100,19 +100,23 @@ struct RasterCounters {
   std::uint64_t samples_tested, samples_passed;
 };
 
+inline constexpr double max_coordinate = 1e12;  // metres; distances cubed stay finite
+inline constexpr double max_radiance = 1e30;    // a sum of 1e8 of these is still finite
+
 // Surface attributes of shaded fragments, SoA. Everything the shading kernels need, so a G-buffer from a file can be
-// shaded.
+// shaded, too. Shading reads tables by these values: all of them, up to the next multiple of max_lanes, have to be in
+// the ranges given here. Resolving leaves them so; Kernels::clamp_surfaces makes any others so.
 struct GBufferView {
-  float* position[3];  // world
-  float* normal[3];    // unit shading normal, on the eye's side of the surface for double-sided materials
-  float* base_color[3];
-  float* metallic;
-  float* roughness;    // perceptual, 0..1, not clamped
-  float* occlusion;    // 1 = open
-  float* emissive[3];  // radiance
-  float* alpha;        // coverage by alphaMode: 1 for opaque and mask
-  float* unlit;        // 1: colour is base_color, not lit; 0 otherwise
-  float* depth;        // reversed depth at the shaded point
+  float* position[3];    // world, within +-max_coordinate
+  float* normal[3];      // unit shading normal, on the eye's side of the surface for double-sided materials
+  float* base_color[3];  // 0 .. 1
+  float* metallic;       // 0 .. 1
+  float* roughness;      // perceptual, 0 .. 1
+  float* occlusion;      // 0 .. 1 = open
+  float* emissive[3];    // radiance, 0 .. max_radiance
+  float* alpha;          // coverage by alphaMode: 1 for opaque and mask
+  float* unlit;          // 1: colour is base_color, not lit; 0 otherwise
+  float* depth;          // reversed depth at the shaded point
   // Resolving skips emissive, alpha, unlit and depth where they are null; shading needs the first and third if features
   // say so, and neither of the others.
 };

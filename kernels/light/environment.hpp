@@ -11,16 +11,17 @@ namespace tessera::TESSERA_ISA {
 namespace {
 
 /// Where a direction meets the cube: `faces` times the face's number, and sc/ma, tc/ma in [-1, 1] (OpenGL 4.6, table
-/// 8.19; ties go to x, then y).
+/// 8.19; ties go to x, then y), which rounding may leave by 2^-23. No footprint minds: they reach half a texel further.
 template <class F>
 struct CubePoint {
   IntOf<F> face;
   F s, t;
 };
 
-/// Any bits give a point of the cube.
+/// d finite, up to 1e37.
 template <class F>
 TESSERA_INLINE CubePoint<F> cube_point(const Vec3<F>& d, int faces = 1) {
+  using I = IntOf<F>;
   const F ax = abs(d.x), ay = abs(d.y), az = abs(d.z);
   const auto major_x = (ax >= ay) & (ax >= az);
   const auto major_y = ay >= az;
@@ -30,10 +31,16 @@ TESSERA_INLINE CubePoint<F> cube_point(const Vec3<F>& d, int faces = 1) {
   const F z_or_minus_z = select(negative, d.z, -d.z);
   const F sc = select(major_x, z_or_minus_z, select(major_y | !negative, d.x, -d.x));
   const F tc = select(major_x | !major_y, -d.y, -z_or_minus_z);
-  const F scale = F(1) / abs(axis);
-  const IntOf<F> first = select(major_x, IntOf<F>(0), select(major_y, IntOf<F>(2 * faces), IntOf<F>(4 * faces)));
-  return {select(negative, first + IntOf<F>(faces), first), clamp(sc * scale, F(-1), F(1)),
-          clamp(tc * scale, F(-1), F(1))};
+  const F scale = F(1) / max(abs(axis), F(1e-30));  // d = 0 is in the middle of a face
+  const I first = select(major_x, I(0), select(major_y, I(2 * faces), I(4 * faces)));
+  return {select(negative, first + I(faces), first), sc * scale, tc * scale};
+}
+
+/// Any bits give a point of the cube.
+template <class F>
+TESSERA_INLINE CubePoint<F> cube_point_of_any(const Vec3<F>& d, int faces = 1) {
+  const CubePoint<F> p = cube_point(d, faces);
+  return {p.face, clamp(p.s, F(-1), F(1)), clamp(p.t, F(-1), F(1))};
 }
 
 template <class F>
@@ -92,7 +99,7 @@ struct CubeLookup {
   BilinearFootprint<F> fine, coarse;
 };
 
-/// p: from cube_point(direction, cube_face_texels). The rest as sample_cube.
+/// p: from cube_point(direction, cube_face_texels) or cube_point_of_any(). The rest as sample_cube.
 template <class Texels = HalfTexels, class F>
 TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F>& p, F lod) {
   using I = IntOf<F>;
@@ -151,7 +158,7 @@ TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubeView& cube, const C
 /// must be what the cube's format says.
 template <class Texels = HalfTexels, class F>
 inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod) {
-  const CubePoint<F> point = cube_point(direction, cube_face_texels(cube.size, cube.levels));
+  const CubePoint<F> point = cube_point_of_any(direction, cube_face_texels(cube.size, cube.levels));
   const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, lod);
   return sample_footprint<Texels>(cube, lookup.fine) + sample_footprint<Texels>(cube, lookup.coarse);
 }
@@ -159,7 +166,7 @@ inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod
 /// As above with one lod for all lanes: a whole level is read once.
 template <class F>
 inline Vec3<F> sample_cube_uniform(const CubeView& cube, const Vec3<F>& direction, float lod) {
-  const CubePoint<F> p = cube_point(direction, cube_face_texels(cube.size, cube.levels));
+  const CubePoint<F> p = cube_point_of_any(direction, cube_face_texels(cube.size, cube.levels));
   const UniformLookup lookup = uniform_lookup(cube, lod);
   const Vec3<F> a = sample_footprint(cube, cube_footprint(cube, p, lookup.fine));
   if (!(lookup.coarse.weight > 0.0f)) return a;

@@ -1,7 +1,7 @@
 // Fragments -> G-buffer: surface attributes at the shaded point, textures included.
 //
 // Domain: indices are within their arrays, vertex_count < 2^27 and triangle_count < 2^29 (gathers have 32-bit indices),
-// textures as sample.hpp says. All numbers may be anything: every plane is finite, normals are unit vectors.
+// textures as sample.hpp says. All numbers may be anything: what comes out is in GBufferView's ranges.
 #pragma once
 #include "kernels/interface.hpp"
 #include "kernels/math/vector.hpp"
@@ -15,8 +15,9 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-TESSERA_INLINE Float finite_or_zero(Float x) { return select(abs(x) <= Float(3.402823466e38f), x, Float(0)); }
-TESSERA_INLINE Float non_negative(Float x) { return finite_or_zero(max(x, Float(0))); }
+/// GBufferView's ranges.
+TESSERA_INLINE Float clamp_coordinate(Float x) { return clamp(x, Float(-max_coordinate), Float(max_coordinate)); }
+TESSERA_INLINE Float clamp_emitted(Float x) { return clamp(x, Float(0), Float(max_radiance)); }
 
 TESSERA_INLINE void store_vector(float* const (&planes)[3], std::uint32_t at, Float x, Float y, Float z) {
   store(planes[0] + at, x);
@@ -28,7 +29,7 @@ TESSERA_INLINE void store_vector(float* const (&planes)[3], std::uint32_t at, Fl
 TESSERA_INLINE void resolve_position(const ResolveArgs& args, const Barycentrics<Float>& b,
                                      const Vec3<Float> (&corners)[3], std::uint32_t at) {
   const Vec3<Float> p = interpolate(b, corners);
-  store_vector(args.out.position, at, finite_or_zero(p.x), finite_or_zero(p.y), finite_or_zero(p.z));
+  store_vector(args.out.position, at, clamp_coordinate(p.x), clamp_coordinate(p.y), clamp_coordinate(p.z));
   if (args.out.depth != nullptr)
     store(args.out.depth + at, saturate(transform_row(args.view.z, p) / transform_row(args.view.w, p)));
 }
@@ -87,14 +88,14 @@ inline Vec3<Float> resolve_normal(const ResolveArgs& args, const MaterialSampler
 TESSERA_INLINE void store_material(const ResolveArgs& args, const Float (&color)[4], const SurfaceScalars& s,
                                    const Float (&glow)[3], std::uint32_t at) {
   const GBufferView& out = args.out;
-  store_vector(out.base_color, at, non_negative(color[0]), non_negative(color[1]), non_negative(color[2]));
+  store_vector(out.base_color, at, saturate(color[0]), saturate(color[1]), saturate(color[2]));
   if (out.alpha != nullptr)
     store(out.alpha + at, args.material->alpha_mode == AlphaMode::blend ? saturate(color[3]) : Float(1));
   store(out.metallic + at, saturate(s.metallic));
   store(out.roughness + at, saturate(s.roughness));
   store(out.occlusion + at, saturate(s.occlusion));
   if (out.emissive[0] != nullptr)
-    store_vector(out.emissive, at, non_negative(glow[0]), non_negative(glow[1]), non_negative(glow[2]));
+    store_vector(out.emissive, at, clamp_emitted(glow[0]), clamp_emitted(glow[1]), clamp_emitted(glow[2]));
   if (out.unlit != nullptr) store(out.unlit + at, Float(args.material->unlit ? 1 : 0));
 }
 

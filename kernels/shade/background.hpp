@@ -33,7 +33,7 @@ template <bool blurred, class F>
     const auto along = [&](int axis) {
       return mul_add(y, F(args.dy[axis]), mul_add(x, F(args.dx[axis]), F(args.corner[axis])));
     };
-    const CubePoint<F> p = cube_point(Vec3<F>{along(0), along(1), along(2)}, faces);
+    const CubePoint<F> p = cube_point_of_any(Vec3<F>{along(0), along(1), along(2)}, faces);
     rays.fine.set(i, cube_footprint(args.cube, p, lookup.fine));
     if constexpr (blurred) rays.coarse.set(i, cube_footprint(args.cube, p, lookup.coarse));
   }

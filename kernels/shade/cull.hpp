@@ -12,13 +12,13 @@ struct Box {
   float low[3], high[3];
 };
 
-/// Of the positions as the shading loop reads them.
+/// position as GBufferView::position.
 inline Box bounding_box(const float* const position[3], std::uint32_t count) {
   Box box;
   for (int axis = 0; axis < 3; ++axis) {
     Float low(max_coordinate), high(-max_coordinate);
     for (std::uint32_t i = 0; i < count; i += Float::lanes) {
-      const Float p = load_clamped<Float>(position[axis], i, -max_coordinate, max_coordinate);
+      const Float p = load<Float>(position[axis] + i);
       const Mask there = first_lanes(static_cast<int>(count - i));
       low = select(there, min(p, low), low);
       high = select(there, max(p, high), high);

@@ -85,7 +85,7 @@ template <class Taps, class F>
     const LobePoint<F> point = {load<F>(options.lx + i), load<F>(options.ly + i), load<F>(options.lz + i),
                                 load<F>(options.alpha + i)};
     const Tap<F> tap = tap_at(Taps(), load_lobe<F>(block, options, i), point, k);
-    store_point(block, i, cube_point(tap.axis, faces));
+    store_point(block, i, cube_point_of_any(tap.axis, faces));
     store(options.level + i, specular_level(environment, tap.r));
     store(options.weight + i, tap.weight);
   }
@@ -102,7 +102,7 @@ template <class F>
     const Vec3<F> mirrored = n * (nv + nv) - load_vector<F>(block.v, i);
     store_point(
         block, i,
-        cube_point(lobe == EnvironmentLobe::shifted ? dominant_direction(n, mirrored, r * r) : mirrored, faces));
+        cube_point_of_any(lobe == EnvironmentLobe::shifted ? dominant_direction(n, mirrored, r * r) : mirrored, faces));
     store(options.level + i, specular_level(environment, r));
   }
 }
@@ -209,7 +209,7 @@ TESSERA_INLINE Vec3<Float> shade_environment_options(const ShadeArgs& args, cons
   const Float weight = shading.fresnel == EnvironmentFresnel::f0 ? Float(0) : schlick_weight(NoV);
   const EnvironmentSplit<Float> split =
       multiple_scattering_FdezAguera(surface.f0, load<Float>(block.A + i), load<Float>(block.B + i), weight, r);
-  const Float occlusion = load_occlusion<Float>(args.gbuffer, at);
+  const Float occlusion = load<Float>(args.gbuffer.occlusion + at);
   const Float open = shading.specular_occlusion ? specular_occlusion(NoV, occlusion, r * r) : occlusion;
   const Vec3<Float> specular = load_vector<Float>(block.specular, i) * open;
   const Vec3<Float> diffuse = load_vector<Float>(block.irradiance, i) * occlusion;

@@ -60,8 +60,10 @@ struct Block {
   std::uint32_t first;  // of the tile's fragments
   int count;            // a multiple of Wide::lanes; there may be fewer fragments in the last lanes
 
-  // What each stage leaves, within its range: what the planes hold is clamped once.
-  alignas(64) float n[3][block_size], roughness[block_size];
+  // Of the G-buffer, from `first` on.
+  const float *n[3], *roughness;
+
+  // What each stage leaves.
   alignas(64) float v[3][block_size], nv[block_size];          // towards the eye, unit; n.v
   alignas(64) float f0[3][block_size], albedo[3][block_size];  // Reflectance; where there are lights
   alignas(64) std::int32_t cube_face[block_size];              // CubePoint
@@ -71,6 +73,13 @@ struct Block {
   alignas(64) float irradiance[3][block_size];     // E(n) / pi
   alignas(64) float specular[3][block_size];       // prefiltered radiance, its mean over the lobe
 };
+
+TESSERA_INLINE void start_block(const GBufferView& g, std::uint32_t first, int count, Block& block) {
+  block.first = first;
+  block.count = count;
+  for (int k = 0; k < 3; ++k) block.n[k] = g.normal[k] + first;
+  block.roughness = g.roughness + first;
+}
 
 template <class F>
 TESSERA_INLINE Vec3<F> load_vector(const float (&planes)[3][block_size], int i) {
@@ -106,9 +115,7 @@ template <bool mirror, class F>
   const int faces = mirror ? cube_face_texels(cube.size, cube.levels) : 0;
   for (int i = 0; i < block.count; i += F::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
-    const Vec3<F> n = load_normal<F>(g, at), eyewards = to_eye(load_position<F>(g, at), eye);
-    store_vector(block.n, i, n);
-    store(block.roughness + i, load_roughness<F>(g, at));
+    const Vec3<F> n = load_vector<F>(block.n, i), eyewards = to_eye(load_vector<F>(g.position, at), eye);
     const Vec3<F> v = normalize(eyewards);
     store_vector(block.v, i, v);
     store(block.nv + i, dot(n, v));
@@ -223,7 +230,7 @@ template <bool environment, bool mirror, LightKind kind>
   for (int i = 0; i < block.count; i += Float::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
     LitPoint<Float> p;
-    p.position = load_position<Float>(g, at);
+    p.position = load_vector<Float>(g.position, at);
     p.n = load_vector<Float>(block.n, i);
     const Vec3<Float> v = load_vector<Float>(block.v, i);
     p.nv = load<Float>(block.nv + i);

@@ -1,4 +1,4 @@
-// From G-buffer lanes to a point that can be shaded. Whatever bits the planes hold, what leaves here is in range.
+// From G-buffer lanes to a point that can be shaded. What the planes hold is in GBufferView's ranges.
 #pragma once
 #include "kernels/interface.hpp"
 #include "kernels/math/vector.hpp"
@@ -7,17 +7,9 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-inline constexpr double max_coordinate = 1e12;  // metres; distances cubed stay finite
-inline constexpr double max_radiance = 1e30;    // a sum of 1e8 of these is still finite
-
 template <class F>
-TESSERA_INLINE F load_clamped(const float* plane, std::uint32_t i, double low, double high) {
-  return clamp(load<F>(plane + i), F(low), F(high));
-}
-template <class F>
-TESSERA_INLINE Vec3<F> load_clamped(const float* const planes[3], std::uint32_t i, double low, double high) {
-  return {load_clamped<F>(planes[0], i, low, high), load_clamped<F>(planes[1], i, low, high),
-          load_clamped<F>(planes[2], i, low, high)};
+TESSERA_INLINE Vec3<F> load_vector(const float* const (&planes)[3], std::uint32_t i) {
+  return {load<F>(planes[0] + i), load<F>(planes[1] + i), load<F>(planes[2] + i)};
 }
 
 /// Finite and non-negative, whatever the sum became; -0 becomes +0.
@@ -25,25 +17,6 @@ template <class F>
 TESSERA_INLINE Vec3<F> clamp_radiance(const Vec3<F>& radiance) {
   return {clamp(radiance.x, F(0), F(max_radiance)), clamp(radiance.y, F(0), F(max_radiance)),
           clamp(radiance.z, F(0), F(max_radiance))};
-}
-
-/// Within +-max_coordinate.
-template <class F>
-TESSERA_INLINE Vec3<F> load_position(const GBufferView& g, std::uint32_t i) {
-  return load_clamped<F>(g.position, i, -max_coordinate, max_coordinate);
-}
-/// Unit; components within +-1 in any case.
-template <class F>
-TESSERA_INLINE Vec3<F> load_normal(const GBufferView& g, std::uint32_t i) {
-  return load_clamped<F>(g.normal, i, -1, 1);
-}
-template <class F>
-TESSERA_INLINE F load_roughness(const GBufferView& g, std::uint32_t i) {
-  return load_clamped<F>(g.roughness, i, 0, 1);
-}
-template <class F>
-TESSERA_INLINE F load_occlusion(const GBufferView& g, std::uint32_t i) {
-  return load_clamped<F>(g.occlusion, i, 0, 1);
 }
 
 inline constexpr double dielectric_f0 = 0.04;            // ior 1.5
@@ -58,8 +31,8 @@ struct Reflectance {
 
 template <class F>
 TESSERA_INLINE Reflectance<F> load_reflectance(const GBufferView& g, std::uint32_t i) {
-  const Vec3<F> base_color = load_clamped<F>(g.base_color, i, 0, 1);
-  const F metallic = load_clamped<F>(g.metallic, i, 0, 1);
+  const Vec3<F> base_color = load_vector<F>(g.base_color, i);
+  const F metallic = load<F>(g.metallic + i);
   const F dielectric = F(1) - metallic;
   const F f0 = dielectric * F(dielectric_f0);
   return {

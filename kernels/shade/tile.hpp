@@ -27,7 +27,7 @@ TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& bloc
       surface.f0, load<F>(block.A + i), load<F>(block.B + i), weight, load<F>(block.roughness + i));
   const Vec3<F> specular = load_vector<F>(block.specular, i);
   const Vec3<F> diffuse = load_vector<F>(block.irradiance, i);
-  const F occlusion = load_occlusion<F>(g, at);
+  const F occlusion = load<F>(g.occlusion + at);
   const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n) {
     const F transmitted = albedo * (F(1) - single - multiple);
     return mul_add(single, along_R, (multiple + transmitted) * around_n) * occlusion;
@@ -53,9 +53,9 @@ inline void finish(const ShadeArgs& args, const Block& block) {
       radiance = radiance + shade_environment<lights, F>(g, block, i);
     else if constexpr (Features & feature_environment)
       radiance = radiance + shade_environment_options<lights>(args, block, i);
-    if constexpr (Features & feature_emissive) radiance = radiance + load_clamped<F>(g.emissive, at, 0, max_radiance);
+    if constexpr (Features & feature_emissive) radiance = radiance + load_vector<F>(g.emissive, at);
     if constexpr (Features & feature_unlit)
-      radiance = select<F>(load<F>(g.unlit + at) > F(0.5), load_clamped<F>(g.base_color, at, 0, 1), radiance);
+      radiance = select<F>(load<F>(g.unlit + at) > F(0.5), load_vector<F>(g.base_color, at), radiance);
     radiance = clamp_radiance(radiance);
     store(args.radiance[0] + at, radiance.x);
     store(args.radiance[1] + at, radiance.y);
@@ -75,9 +75,9 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
   if constexpr (environment)
     for (int c = 0; c < 3; ++c) block.harmonics[c] = irradiance_polynomial<float>(args.environment.irradiance_sh, c);
   OptionsBlock options;
-  for (block.first = 0; block.first < args.count; block.first += block_size) {
-    const int left = static_cast<int>(args.count - block.first);
-    block.count = left < block_size ? (left + Wide::lanes - 1) / Wide::lanes * Wide::lanes : block_size;
+  for (std::uint32_t first = 0; first < args.count; first += block_size) {
+    const int left = static_cast<int>(args.count - first);
+    start_block(args.gbuffer, first, min(block_size, (left + Wide::lanes - 1) / Wide::lanes * Wide::lanes), block);
     if constexpr (lights || environment) find_directions<mirror, Wide>(args, block);
     if constexpr (mirror) {
       find_footprints<Wide>(args, block);

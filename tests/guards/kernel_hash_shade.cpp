@@ -37,6 +37,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
     if (i % 8 == 1)  // hostile values: any bits in one plane
       gbuffer.planes[i % gbuffer_planes].values[i] = random.any_bits();
   }
+  kernels.clamp_surfaces(g, GBuffer::count);
   const LightView lights[] = {
       {LightType::directional, Falloff::inverse_square, {0, 0, 0}, {0, -1, 0}, {1, 2, 3}, 0, 0, 1},
       {LightType::point, Falloff::windowed_plus_one, {1, 2, 1}, {0, -1, 0}, {9, 9, 5}, 0.04f, 0, 1},

@@ -66,11 +66,11 @@ TEST(Resolve, InterpolatesWhereTheRayHits) {
   }
 }
 
-// Level k of the texture is k everywhere, so that the colour is the level of detail.
+// Level k of the texture is k / 8 everywhere, so that the colour is the level of detail.
 TEST(Resolve, MipLevelIsThatOfTheFootprint) {
   RayScene scene(22, 1000);
   TextureMemory texture;
-  const std::uint16_t halves[] = {0, 0x3c00, 0x4000, 0x4200, 0x4400, 0x4500, 0x4600, 0x4700, 0x4800};  // 0 .. 8
+  const std::uint16_t halves[] = {0, 0x3000, 0x3400, 0x3600, 0x3800, 0x3900, 0x3a00, 0x3b00, 0x3c00};  // 0 .. 1
   for (int k = 0; k < 9; ++k)
     texture.halves.insert(texture.halves.end(), 4 * (256 >> k) * std::max(1, 64 >> k), halves[k]);
   texture.view = {nullptr,
@@ -120,7 +120,7 @@ TEST(Resolve, MipLevelIsThatOfTheFootprint) {
       const Vector right = 0.5 / h * (texels(i, h, 0) - texels(i, -h, 0));
       const Vector down = 0.5 / h * (texels(i, 0, h) - texels(i, 0, -h));
       const double lod = 0.5 * std::log2(std::max(inner(right, right), inner(down, down)));
-      EXPECT_NEAR(out.planes[color][i], std::clamp(lod, 0.0, 8.0), 5e-3) << kernels->isa << " " << i;
+      EXPECT_NEAR(8 * double(out.planes[color][i]), std::clamp(lod, 0.0, 8.0), 5e-3) << kernels->isa << " " << i;
     }
   }
 }
@@ -350,9 +350,13 @@ TEST(Resolve, AnyInputIsFiniteAndTheSameEverywhere) {
       const auto at = [&](int plane) { return first.planes[plane][i]; };
       for (int p = 0; p < gbuffer_planes; ++p)
         ASSERT_TRUE(std::isfinite(at(p))) << plane_names[p] << " round " << round;
-      for (const int p : {int(color), color + 1, color + 2, int(emissive), emissive + 1, emissive + 2})
+      for (const int p : {int(position), position + 1, position + 2}) ASSERT_LE(std::abs(at(p)), 1e12f);
+      for (const int p : {int(emissive), emissive + 1, emissive + 2}) {
         ASSERT_GE(at(p), 0) << plane_names[p];
-      for (const int p : {int(metallic), int(roughness), int(occlusion), int(alpha), int(depth)}) {
+        ASSERT_LE(at(p), 1e30f) << plane_names[p];
+      }
+      for (const int p :
+           {int(color), color + 1, color + 2, int(metallic), int(roughness), int(occlusion), int(alpha), int(depth)}) {
         ASSERT_GE(at(p), 0) << plane_names[p];
         ASSERT_LE(at(p), 1) << plane_names[p];
       }

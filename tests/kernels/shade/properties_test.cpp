@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 
 #include "kernels/runnable_kernels.hpp"
@@ -89,6 +90,43 @@ TEST(ShadeLanes, NeighboursDoNotShow) {
   }
 }
 
+TEST(ClampSurfaces, PutsAnyBitsIntoRangeAndLeavesOthersAlone) {
+  constexpr std::size_t count = 999, padded = 1008;
+  std::mt19937 random(4);
+  GBuffer gbuffer(padded), same(padded);
+  const std::vector<float*> planes = gbuffer.planes(), copies = same.planes();
+  std::vector<std::vector<float>> before;
+  for (float* plane : planes) {
+    for (std::size_t i = 0; i < padded; ++i) {
+      const std::uint32_t bits = i % 3 ? random() : std::bit_cast<std::uint32_t>(float(random() % 1000) / 999);
+      plane[i] = std::bit_cast<float>(bits);
+    }
+    plane[5] = std::numeric_limits<float>::quiet_NaN();
+    plane[7] = std::numeric_limits<float>::infinity();
+    plane[8] = -std::numeric_limits<float>::infinity();
+    before.emplace_back(plane, plane + padded);
+  }
+  // As GBuffer has them: position, normal, base colour, emissive, metallic, roughness, occlusion. What follows is not
+  // for shading to read, or any number will do.
+  constexpr double low[] = {-1e12, -1e12, -1e12, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  constexpr double high[] = {1e12, 1e12, 1e12, 1, 1, 1, 1, 1, 1, 1e30, 1e30, 1e30, 1, 1, 1};
+  for (const Kernels* kernels : runnable_kernels()) {
+    for (std::size_t p = 0; p < planes.size(); ++p) std::copy(before[p].begin(), before[p].end(), copies[p]);
+    kernels->clamp_surfaces(same.view(), count);
+    for (std::size_t p = 0; p < planes.size(); ++p)
+      for (std::size_t i = 0; i < padded; ++i) {
+        const float x = before[p][i];
+        float expected = x;
+        if (p < std::size(low)) expected = x > float(low[p]) ? std::min(x, float(high[p])) : float(low[p]);
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(copies[p][i]), std::bit_cast<std::uint32_t>(expected))
+            << kernels->isa << " plane " << p << ": " << x;
+      }
+  }
+  GBufferView some = same.view();
+  for (float*& plane : some.emissive) plane = nullptr;
+  runnable_kernels().front()->clamp_surfaces(some, count);
+}
+
 // A G-buffer of arbitrary bits (a quarter of the values made special on purpose): finite, non-negative, one result.
 TEST(ShadeFuzz, MillionLanesOfAnyBits) {
   constexpr std::size_t lanes = 1 << 14, rounds = 64;
@@ -110,6 +148,7 @@ TEST(ShadeFuzz, MillionLanesOfAnyBits) {
         std::memcpy(plane + i, &bits, sizeof bits);
       }
     std::vector<float> first;
+    runnable_kernels().front()->clamp_surfaces(gbuffer.view(), gbuffer.count());
     for (const Kernels* kernels : runnable_kernels()) {
       kernels->shade(shade_args(gbuffer, {0, 1, 4}, lights, &environment));
       const auto result = radiance_of(gbuffer);
