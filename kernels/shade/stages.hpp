@@ -106,26 +106,32 @@ TESSERA_INLINE Reflectance<F> block_reflectance(const GBufferView& g, const Bloc
   return load_reflectance<F>(g, block.first + std::uint32_t(i));
 }
 
-/// Towards the eye; and, if asked for, where the mirror direction meets the cube.
+/// Towards the eye, for the fragments from i on; and, if asked for, where the mirror direction meets the cube.
 template <bool mirror, class F>
+TESSERA_INLINE void find_direction(const GBufferView& g, const float (&eye)[4], int faces, int i, Block& block) {
+  const Vec3<F> n = load_vector<F>(block.n, i);
+  const Vec3<F> eyewards = to_eye(load_vector<F>(g.position, block.first + std::uint32_t(i)), eye);
+  const Vec3<F> v = normalize(eyewards);
+  store_vector(block.v, i, v);
+  store(block.nv + i, dot(n, v));
+  if constexpr (mirror) {
+    // Of any length: this does not wait for v.
+    const F along_n = dot(n, eyewards);
+    const CubePoint<F> point = cube_point(n * (along_n + along_n) - eyewards, faces);
+    store_point(block, i, point);
+  }
+}
+/// Of all fragments. A root and two divisions one after the other: two vectors side by side even where others go alone.
+template <bool mirror>
 [[gnu::noinline]] void find_directions(const ShadeArgs& args, Block& block) {
   const GBufferView g = args.gbuffer;
   const float eye[4] = {args.eye[0], args.eye[1], args.eye[2], args.eye[3]};
   const CubeView& cube = args.environment.specular;
   const int faces = mirror ? cube_face_texels(cube.size, cube.levels) : 0;
-  for (int i = 0; i < block.count; i += F::lanes) {
-    const std::uint32_t at = block.first + std::uint32_t(i);
-    const Vec3<F> n = load_vector<F>(block.n, i), eyewards = to_eye(load_vector<F>(g.position, at), eye);
-    const Vec3<F> v = normalize(eyewards);
-    store_vector(block.v, i, v);
-    store(block.nv + i, dot(n, v));
-    if constexpr (mirror) {
-      // Of any length: this does not wait for v.
-      const F along_n = dot(n, eyewards);
-      const CubePoint<F> point = cube_point(n * (along_n + along_n) - eyewards, faces);
-      store_point(block, i, point);
-    }
-  }
+  int i = 0;
+  for (; i + Pair<Float>::lanes <= block.count; i += Pair<Float>::lanes)
+    find_direction<mirror, Pair<Float>>(g, eye, faces, i, block);
+  if (i < block.count) find_direction<mirror, Float>(g, eye, faces, i, block);
 }
 
 // -------------------------------------------------------------------------------------------------- environment

@@ -78,7 +78,7 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
   for (std::uint32_t first = 0; first < args.count; first += block_size) {
     const int left = static_cast<int>(args.count - first);
     start_block(args.gbuffer, first, min(block_size, (left + Wide::lanes - 1) / Wide::lanes * Wide::lanes), block);
-    if constexpr (lights || environment) find_directions<mirror, Wide>(args, block);
+    if constexpr (lights || environment) find_directions<mirror>(args, block);
     if constexpr (mirror) {
       find_footprints<Wide>(args, block);
       find_irradiance(block);
