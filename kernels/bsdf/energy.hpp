@@ -22,7 +22,8 @@ TESSERA_INLINE void split_channel(F f0, F A, F B, F weight, F roughness, F* sing
   *single = mul_add(kS, A, B);
   const F Ems = F(1) - (A + B);
   const F Favg = mul_add(F(1) - f0, F(1.0 / 21), f0);
-  *multiple = Ems * *single * Favg / neg_mul_add(Favg, Ems, F(1));
+  const F again = Favg * Ems;  // what a facet sends on to another one
+  *multiple = *single * again / (F(1) - again);
 }
 
 template <class F>

@@ -93,15 +93,20 @@ TESSERA_INLINE Vec3<F> sample_footprint(const CubeView& cube, const BilinearFoot
   return blend(f, above, below);
 }
 
+template <class F>
+TESSERA_INLINE F clamp_level(const CubeView& cube, F lod) {
+  return clamp(lod, F(0), F(cube.levels - 1));
+}
+
 /// Footprints in a level and in the next coarser one: their sum is the trilinear lookup.
 template <class F>
 struct CubeLookup {
   BilinearFootprint<F> fine, coarse;
 };
 
-/// p: from cube_point(direction, cube_face_texels) or cube_point_of_any(). The rest as sample_cube.
+/// p: from cube_point(direction, cube_face_texels) or cube_point_of_any(); level: from 0 to the last one.
 template <class Texels = HalfTexels, class F>
-TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F>& p, F lod) {
+TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F>& p, F level) {
   using I = IntOf<F>;
   const int pitch = cube_pitch(cube.size, cube.levels);
   const F whole = F(texel_scale<Texels, F>);
@@ -111,9 +116,7 @@ TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F
     lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
     return lookup;
   }
-  const int last = cube.levels - 1;
-  const F level = clamp(lod, F(0), F(last));
-  const I fine = min(truncate_to_int(level), I(last - 1));  // at the last level: all weight on the coarser one
+  const I fine = min(truncate_to_int(level), I(cube.levels - 2));  // at the last level: all weight on the coarser one
   const F w = (level - to_float(fine)) * whole;
 
   const F half = from_bits(bits(F(cube.size) * F(0.5)) - (fine << mantissa_bits<F>));  // exact
@@ -159,7 +162,7 @@ TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubeView& cube, const C
 template <class Texels = HalfTexels, class F>
 inline Vec3<F> sample_cube(const CubeView& cube, const Vec3<F>& direction, F lod) {
   const CubePoint<F> point = cube_point_of_any(direction, cube_face_texels(cube.size, cube.levels));
-  const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, lod);
+  const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, clamp_level(cube, lod));
   return sample_footprint<Texels>(cube, lookup.fine) + sample_footprint<Texels>(cube, lookup.coarse);
 }
 
@@ -249,9 +252,8 @@ TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, const DfgP
   using I = IntOf<F>;
   const I i = truncate_to_int(at.x), j = truncate_to_int(at.y);
   const F w1 = at.x - to_float(i), v1 = at.y - to_float(j);
-  const F w0 = F(1) - w1, v0 = F(1) - v1;
-  const I above = j * I(dfg_pitch(dfg.size)) + i;
-  return {above, v0 * w0, v0 * w1, v1 * w0, v1 * w1};
+  const F v0 = F(1) - v1, w01 = v0 * w1, w11 = v1 * w1;
+  return {j * I(dfg_pitch(dfg.size)) + i, v0 - w01, w01, v1 - w11, w11};
 }
 
 /// A and B from the four texels of a footprint.

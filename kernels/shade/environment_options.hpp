@@ -109,7 +109,8 @@ template <class F>
 
 template <class Texels, class F>
 [[gnu::noinline]] void find_lookup(const CubeView& cube, Block& block, const OptionsBlock& options) {
-  for (int i = 0; i < block.count; i += F::lanes) find_footprint<Texels>(cube, load<F>(options.level + i), i, block);
+  for (int i = 0; i < block.count; i += F::lanes)
+    find_footprint<Texels>(cube, clamp_level(cube, load<F>(options.level + i)), i, block);
 }
 
 /// Adds a tap to the lobe's mean; with the last one it is complete.

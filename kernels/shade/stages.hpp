@@ -116,8 +116,10 @@ TESSERA_INLINE void find_direction(const GBufferView& g, const float (&eye)[4], 
   store(block.nv + i, dot(n, v));
   if constexpr (mirror) {
     // Of any length: this does not wait for v.
-    const F along_n = dot(n, eyewards);
-    const CubePoint<F> point = cube_point(n * (along_n + along_n) - eyewards, faces);
+    const F along_n = dot(n, eyewards), twice = along_n + along_n;
+    const Vec3<F> mirrored = {mul_sub(n.x, twice, eyewards.x), mul_sub(n.y, twice, eyewards.y),
+                              mul_sub(n.z, twice, eyewards.z)};
+    const CubePoint<F> point = cube_point(mirrored, faces);
     store_point(block, i, point);
   }
 }

@@ -16,10 +16,10 @@
 namespace tessera::TESSERA_ISA {
 namespace {
 
-/// Radiance towards the eye from the environment: Karis 2013's split sum with Fdez-Aguera 2019's compensation. i counts
-/// the block's fragments.
+/// Adds the radiance towards the eye from the environment: Karis 2013's split sum with Fdez-Aguera 2019's compensation.
+/// i counts the block's fragments.
 template <bool lights, class F>
-TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& block, int i) {
+TESSERA_INLINE void add_environment(const GBufferView& g, const Block& block, int i, Vec3<F>& radiance) {
   const std::uint32_t at = block.first + std::uint32_t(i);
   const Reflectance<F> surface = block_reflectance<lights, F>(g, block, i);
   const F weight = schlick_weight(clamp_NoV(load<F>(block.nv + i)));
@@ -28,13 +28,13 @@ TESSERA_INLINE Vec3<F> shade_environment(const GBufferView& g, const Block& bloc
   const Vec3<F> specular = load_vector<F>(block.specular, i);
   const Vec3<F> diffuse = load_vector<F>(block.irradiance, i);
   const F occlusion = load<F>(g.occlusion + at);
-  const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n) {
+  const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n, F& sum) {
     const F transmitted = albedo * (F(1) - single - multiple);
-    return mul_add(single, along_R, (multiple + transmitted) * around_n) * occlusion;
+    sum = mul_add(mul_add(single, along_R, (multiple + transmitted) * around_n), occlusion, sum);
   };
-  return {reflect(split.single.x, split.multiple.x, surface.albedo.x, specular.x, diffuse.x),
-          reflect(split.single.y, split.multiple.y, surface.albedo.y, specular.y, diffuse.y),
-          reflect(split.single.z, split.multiple.z, surface.albedo.z, specular.z, diffuse.z)};
+  reflect(split.single.x, split.multiple.x, surface.albedo.x, specular.x, diffuse.x, radiance.x);
+  reflect(split.single.y, split.multiple.y, surface.albedo.y, specular.y, diffuse.y, radiance.y);
+  reflect(split.single.z, split.multiple.z, surface.albedo.z, specular.z, diffuse.z, radiance.z);
 }
 
 /// The last stage: all that a block sends to the eye, summed.
@@ -50,7 +50,7 @@ inline void finish(const ShadeArgs& args, const Block& block) {
     if constexpr (lights)
       radiance = {load<F>(args.radiance[0] + at), load<F>(args.radiance[1] + at), load<F>(args.radiance[2] + at)};
     if constexpr ((Features & feature_environment) && plain)
-      radiance = radiance + shade_environment<lights, F>(g, block, i);
+      add_environment<lights>(g, block, i, radiance);
     else if constexpr (Features & feature_environment)
       radiance = radiance + shade_environment_options<lights>(args, block, i);
     if constexpr (Features & feature_emissive) radiance = radiance + load_vector<F>(g.emissive, at);
