@@ -54,7 +54,7 @@ inline TangentFrame<Float> resolve_frame(const ResolveArgs& args, const Fragment
 TESSERA_INLINE Vec3<Float> unit_normal(const Vec3<Float>& interpolated, const Vec3<Float> (&corners)[3]) {
   const Float squared = dot(interpolated, interpolated);
   // As normalize() decides; the plane's normal is needed only where vertices' normals cancel out.
-  if (all((squared > Float(0x1p-126)) & (squared < Float(3e38)))) return normalize(interpolated);
+  if (all((squared > Float(0x1p-126)) & (squared < Float(3e38)))) return interpolated * (Float(1) / sqrt(squared));
   return normalize(interpolated, geometric_normal(corners[1] - corners[0], corners[2] - corners[0]));
 }
 

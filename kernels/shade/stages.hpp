@@ -111,7 +111,8 @@ template <bool mirror, class F>
 TESSERA_INLINE void find_direction(const GBufferView& g, const float (&eye)[4], int faces, int i, Block& block) {
   const Vec3<F> n = load_vector<F>(block.n, i);
   const Vec3<F> eyewards = to_eye(load_vector<F>(g.position, block.first + std::uint32_t(i)), eye);
-  const Vec3<F> v = normalize(eyewards);
+  // A point within a micrometre of the eye has a shorter v.
+  const Vec3<F> v = eyewards * (F(1) / sqrt(max(dot(eyewards, eyewards), F(1e-12))));
   store_vector(block.v, i, v);
   store(block.nv + i, dot(n, v));
   if constexpr (mirror) {
@@ -127,7 +128,8 @@ TESSERA_INLINE void find_direction(const GBufferView& g, const float (&eye)[4], 
 template <bool mirror>
 [[gnu::noinline]] void find_directions(const ShadeArgs& args, Block& block) {
   const GBufferView g = args.gbuffer;
-  const float eye[4] = {args.eye[0], args.eye[1], args.eye[2], args.eye[3]};
+  float eye[4] = {0, 0, 0, args.eye[3]};
+  for (int k = 0; k < 3; ++k) eye[k] = clamp(args.eye[k], float(-max_coordinate), float(max_coordinate));
   const CubeView& cube = args.environment.specular;
   const int faces = mirror ? cube_face_texels(cube.size, cube.levels) : 0;
   int i = 0;

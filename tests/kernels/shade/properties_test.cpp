@@ -159,6 +159,41 @@ TEST(ShadeFuzz, MillionLanesOfAnyBits) {
   }
 }
 
+// Wherever the eye is, in the surface itself too: finite, non-negative, one result.
+TEST(ShadeFuzz, AnyEye) {
+  const Environment environment = gradient_environment();
+  const auto lights = all_kinds_of_lights();
+  std::mt19937 random(3);
+  GBuffer gbuffer(64);
+  for (std::size_t i = 0; i < 64; ++i) gbuffer.set(i, random_surface(random, {0, 1, 4}));
+  const float infinity = std::numeric_limits<float>::infinity();
+  const GBufferView view = gbuffer.view();
+  const float eyes[][3] = {{infinity, 0, 1},
+                           {0, -infinity, infinity},
+                           {std::numeric_limits<float>::quiet_NaN(), 1, 1},
+                           {3e38f, 3e38f, -3e38f},
+                           {view.position[0][7], view.position[1][7], view.position[2][7]},
+                           {1e-30f, 1e20f, 0}};
+  for (const auto& eye : eyes) {
+    for (const float w : {1.0f, 0.0f}) {
+      for (const EnvironmentLobe lobe : {EnvironmentLobe::mirror, EnvironmentLobe::taps4, EnvironmentLobe::points8}) {
+        std::vector<float> first;
+        for (const Kernels* kernels : runnable_kernels()) {
+          ShadeArgs args = shade_args(gbuffer, {0, 0, 0}, lights, &environment);
+          std::copy_n(eye, 3, args.eye);
+          args.eye[3] = w;
+          args.environment_shading.lobe = lobe;
+          kernels->shade(args);
+          const auto result = radiance_of(gbuffer);
+          for (const float value : result) ASSERT_TRUE(value >= 0 && value <= 1e30f) << kernels->isa << ' ' << value;
+          if (first.empty()) first = result;
+          ASSERT_TRUE(same_bits(first, result)) << kernels->isa << ' ' << eye[0] << ' ' << eye[1] << ' ' << eye[2];
+        }
+      }
+    }
+  }
+}
+
 // White furnace: radiance 1 from everywhere. A white metal and a white dielectric give back exactly what arrives; what
 // is between them never more.
 TEST(ShadeFurnace, Environment) {
