@@ -55,7 +55,9 @@ struct Footprints {
 
 /// Some fragments of a tile on their way through the stages.
 struct Block {
-  IrradiancePolynomial<float> harmonics[3];  // of the environment: the same for all blocks of a call
+  // The same for all blocks of a call.
+  float eye[4];                              // ShadeArgs::eye, in the range of positions
+  IrradiancePolynomial<float> harmonics[3];  // of the environment
 
   std::uint32_t first;  // of the tile's fragments
   int count;            // a multiple of Wide::lanes; there may be fewer fragments in the last lanes
@@ -74,6 +76,10 @@ struct Block {
   alignas(64) float specular[3][block_size];       // prefiltered radiance, its mean over the lobe
 };
 
+TESSERA_INLINE void set_eye(const ShadeArgs& args, Block& block) {
+  for (int k = 0; k < 3; ++k) block.eye[k] = clamp(args.eye[k], float(-max_coordinate), float(max_coordinate));
+  block.eye[3] = args.eye[3];
+}
 TESSERA_INLINE void start_block(const GBufferView& g, std::uint32_t first, int count, Block& block) {
   block.first = first;
   block.count = count;
@@ -128,8 +134,7 @@ TESSERA_INLINE void find_direction(const GBufferView& g, const float (&eye)[4], 
 template <bool mirror>
 [[gnu::noinline]] void find_directions(const ShadeArgs& args, Block& block) {
   const GBufferView g = args.gbuffer;
-  float eye[4] = {0, 0, 0, args.eye[3]};
-  for (int k = 0; k < 3; ++k) eye[k] = clamp(args.eye[k], float(-max_coordinate), float(max_coordinate));
+  const float eye[4] = {block.eye[0], block.eye[1], block.eye[2], block.eye[3]};
   const CubeView& cube = args.environment.specular;
   const int faces = mirror ? cube_face_texels(cube.size, cube.levels) : 0;
   int i = 0;

@@ -72,6 +72,7 @@ inline void shade_tile(const ShadeArgs& args, std::uint32_t light_count) {
   const LightList list = {args.lights, args.light_list, light_count};
   const LightKind kind = lights ? kind_of(list) : LightKind::mixed;
   Block block;
+  set_eye(args, block);
   if constexpr (environment)
     for (int c = 0; c < 3; ++c) block.harmonics[c] = irradiance_polynomial<float>(args.environment.irradiance_sh, c);
   OptionsBlock options;
