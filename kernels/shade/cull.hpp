@@ -2,7 +2,6 @@
 #pragma once
 #include "kernels/interface.hpp"
 #include "kernels/math/vector.hpp"
-#include "kernels/shade/surface.hpp"
 #include "kernels/simd.hpp"
 
 namespace tessera::TESSERA_ISA {

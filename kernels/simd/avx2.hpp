@@ -33,8 +33,6 @@ TESSERA_INLINE __m256 from_bits(__m256i x) { return _mm256_castsi256_ps(x); }
 TESSERA_INLINE __m256i shift_left(__m256i x, int n) { return (__m256i)((__v8si)x << n); }
 TESSERA_INLINE __m256i shift_right(__m256i x, int n) { return (__m256i)((__v8si)x >> n); }
 TESSERA_INLINE __m256i shift_right_logical(__m256i x, int n) { return (__m256i)((__v8su)x >> n); }
-// 16-bit halves of lanes, with their signs, times 2^n: one multiplication each, where shifting and masking take two
-// instructions on ports that are wanted for more.
 template <int n>
 TESSERA_INLINE __m256i low_half_shifted(__m256i x) {
   return _mm256_madd_epi16(x, _mm256_set1_epi32(1 << n));

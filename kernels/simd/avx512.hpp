@@ -37,8 +37,6 @@ TESSERA_INLINE __m512 from_bits(__m512i x) { return _mm512_castsi512_ps(x); }
 TESSERA_INLINE __m512i shift_left(__m512i x, int n) { return (__m512i)((__v16si)x << n); }
 TESSERA_INLINE __m512i shift_right(__m512i x, int n) { return (__m512i)((__v16si)x >> n); }
 TESSERA_INLINE __m512i shift_right_logical(__m512i x, int n) { return (__m512i)((__v16su)x >> n); }
-// 16-bit halves of lanes, with their signs, times 2^n: one multiplication each, where shifting and masking take two
-// instructions on ports that are wanted for more.
 template <int n>
 TESSERA_INLINE __m512i low_half_shifted(__m512i x) {
   return _mm512_madd_epi16(x, _mm512_set1_epi32(1 << n));

@@ -78,8 +78,6 @@ TESSERA_INLINE __m128 from_bits(__m128i x) { return _mm_castsi128_ps(x); }
 TESSERA_INLINE __m128i shift_left(__m128i x, int n) { return (__m128i)((__v4si)x << n); }
 TESSERA_INLINE __m128i shift_right(__m128i x, int n) { return (__m128i)((__v4si)x >> n); }
 TESSERA_INLINE __m128i shift_right_logical(__m128i x, int n) { return (__m128i)((__v4su)x >> n); }
-// 16-bit halves of lanes, with their signs, times 2^n: one multiplication each, where shifting and masking take two
-// instructions on ports that are wanted for more.
 template <int n>
 TESSERA_INLINE __m128i low_half_shifted(__m128i x) {
   return _mm_madd_epi16(x, _mm_set1_epi32(1 << n));

@@ -37,7 +37,8 @@ TESSERA_INLINE Int operator~(Int a) { return Int(a.batch ^ Int(-1).batch); }
 TESSERA_INLINE Int operator<<(Int a, int n) { return make_int(native::shift_left(a.raw(), n)); }
 TESSERA_INLINE Int operator>>(Int a, int n) { return make_int(native::shift_right(a.raw(), n)); }
 TESSERA_INLINE Int shift_right_logical(Int a, int n) { return make_int(native::shift_right_logical(a.raw(), n)); }
-// The low and the high sixteen bits of each lane as signed numbers, times 2^n; 0 <= n <= 14.
+// The low and the high sixteen bits of each lane as signed numbers, times 2^n; 0 <= n <= 14. On x86 one multiplication
+// each, where a shift and a mask would be two instructions.
 template <int n>
 TESSERA_INLINE Int low_half_shifted(Int a) {
   return make_int(native::low_half_shifted<n>(a.raw()));
