@@ -68,7 +68,7 @@ static std::size_t store_order(int x, int y) {
   return std::size_t(y / 4 * 4 * block_size + x / 4 * 16 + y % 4 * 4 + x % 4);
 }
 
-Surroundings::Surroundings(Cube prefiltered, const IrradianceSh& sh, AlignedVector<float> dfg_pairs,
+Surroundings::Surroundings(Cube prefiltered, const IrradianceSh& sh, const AlignedVector<float>& dfg_pairs,
                            const float* eye_position)
     : cube(std::move(prefiltered)), dfg_texels(with_border(dfg_pairs.data(), dfg_size)) {
   std::copy_n(eye_position, 4, eye);
@@ -93,7 +93,8 @@ BlockedGBuffer::BlockedGBuffer(const std::vector<float>& raw, int width, int hei
         values[(block * planes + p) * block_pixels + store_order(int(x % block_size), int(y % block_size))] =
             raw[(p * h + y) * w + x];
       }
-  for (int i = 0; i < blocks(); ++i) select_kernels().clamp_surfaces(block(i), block_pixels);
+  const Kernels& kernels = select_kernels();
+  parallel_for(std::size_t(blocks()), [&](std::size_t i) { kernels.clamp_surfaces(block(int(i)), block_pixels); });
 }
 
 BlockedGBuffer::BlockedGBuffer(const BlockedGBuffer& other, int width, int height)

@@ -40,7 +40,8 @@ struct Surroundings {
 
   Surroundings(const std::string& folder, const Kernels& kernels);
   /// From what is there already; eye has four numbers.
-  Surroundings(Cube prefiltered, const IrradianceSh& sh, AlignedVector<float> dfg_pairs, const float* eye_position);
+  Surroundings(Cube prefiltered, const IrradianceSh& sh, const AlignedVector<float>& dfg_pairs,
+               const float* eye_position);
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 };
