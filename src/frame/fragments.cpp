@@ -10,7 +10,9 @@ void TileFragments::reserve_planes(std::uint32_t count) {
   // One cache line more than a power of two: planes a multiple of 4 KiB apart would share the same cache sets.
   stride_ = wanted + wanted / 4 + max_lanes;
   stride_ = stride_ / max_lanes * max_lanes;
-  planes_.resize(stride_ * (gbuffer_planes + 3));
+  // All anew: shading reads up to max_lanes - 1 slots beyond the last, and what lay there in planes of another length
+  // could be out of range here.
+  planes_.assign(stride_ * (gbuffer_planes + 3), 0.0f);
 }
 
 GBufferView TileFragments::gbuffer(std::uint32_t first) const {

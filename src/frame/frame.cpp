@@ -121,6 +121,7 @@ void shade_gbuffer(const GBufferImage& gbuffer, const View& view, const std::vec
                load_tile(gbuffer, first, rect, tile);
                worker.tile.clock.lap(Stage::collect);
                const auto count = static_cast<std::uint32_t>(tile.fragments.size());
+               kernels.clamp_surfaces(tile.gbuffer(), count);  // a file may hold anything
                if (count != 0) shade_run(in, tile, 0, count, classify(tile.gbuffer(), count, in.lighting.features));
                worker.tile.clock.lap(Stage::shade);
                finish_tile(worker, rect, gbuffer.samples, background, view, kernels, film);

@@ -1,12 +1,16 @@
 // A G-buffer that was written, read and shaded gives the bits of the render that wrote it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
 #include "frame/dispatch.hpp"
 #include "frame/frame.hpp"
 #include "golden/scenes.hpp"
+#include "kernels/runnable_kernels.hpp"
 #include "precompute/environment.hpp"
 #include "src/frame/round_trip.hpp"
 
@@ -35,6 +39,30 @@ class GBuffer : public testing::TestWithParam<int> {
 
 TEST_P(GBuffer, OneSample) { round_trip(1); }
 TEST_P(GBuffer, SeveralSamples) { round_trip(4); }
+
+// A file may hold any numbers: they are put into range before kernels read tables by them.
+TEST_P(GBuffer, HostileValuesGiveOneFinitePicture) {
+  scene.settings.samples = 1;
+  const View view = make_view(scene.camera, scene.settings.width, scene.settings.height, kernels);
+  Renderer renderer(scene.scene, used, kernels);
+  Frame rendered;
+  renderer.render(view, scene.settings, {{}, true}, rendered);
+  constexpr float hostile[] = {NAN, INFINITY, -INFINITY, 3e38f, -3e38f, -7, 57, 1e20f, -0.0f};
+  GBufferImage image = rendered.gbuffer;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < 15; ++k)  // what shading reads
+    for (std::size_t i = k; i < image.planes[k].size(); i += 5)
+      image.planes[k][i] = hostile[next++ % std::size(hostile)];
+  AlignedVector<float> first;
+  for (const Kernels* each : runnable_kernels()) {
+    Frame shaded;
+    shade_gbuffer(image, view, scene.scene.lights, used, scene.settings, *each, shaded);
+    const auto& pixels = shaded.rgba.pixels;
+    ASSERT_TRUE(std::all_of(pixels.begin(), pixels.end(), [](float x) { return x >= 0 && x <= 1e31f; })) << each->isa;
+    if (first.empty()) first.assign(pixels.begin(), pixels.end());
+    EXPECT_EQ(std::memcmp(pixels.data(), first.data(), first.size() * sizeof(float)), 0) << each->isa;
+  }
+}
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GBuffer, testing::Range(0, 6),
                          [](const auto& info) { return golden::golden_scenes()[info.param].name; });
