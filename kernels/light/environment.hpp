@@ -256,16 +256,14 @@ TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, const DfgP
   return {j * I(dfg_pitch(dfg.size)) + i, v0 - w01, w01, v1 - w11, w11};
 }
 
-/// A and B from the four texels of a footprint.
+/// What the table holds: A and B, or on warped axes what gives them.
 template <class F>
-TESSERA_INLINE EnvironmentBRDF<F> blend(const DfgView& dfg, F NoV, const BilinearFootprint<F>& f,
-                                        const DfgTexels<F>& above, const DfgTexels<F>& below) {
+TESSERA_INLINE EnvironmentBRDF<F> blend(const BilinearFootprint<F>& f, const DfgTexels<F>& above,
+                                        const DfgTexels<F>& below) {
   const auto channel = [&](F a, F b, F c, F d) {
     return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
   };
-  const F first = channel(above.A0, above.A1, below.A0, below.A1);
-  const F second = channel(above.B0, above.B1, below.B0, below.B1);
-  return dfg.warped ? DfgWarpedAxes::value(first, second, NoV) : EnvironmentBRDF<F>{first, second};
+  return {channel(above.A0, above.A1, below.A0, below.A1), channel(above.B0, above.B1, below.B0, below.B1)};
 }
 
 /// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. NoV and r (perceptual) are clamped to
@@ -275,7 +273,8 @@ inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
   const BilinearFootprint<F> f = dfg_footprint(dfg, dfg_position(dfg, saturate(NoV), saturate(r)));
   const DfgTexels<F> above = dfg_texels<F>(dfg, f.above);
   const DfgTexels<F> below = dfg_texels<F>(dfg, f.above + IntOf<F>(dfg_pitch(dfg.size)));
-  const EnvironmentBRDF<F> brdf = blend(dfg, NoV, f, above, below);
+  const EnvironmentBRDF<F> read = blend(f, above, below);
+  const EnvironmentBRDF<F> brdf = dfg.warped ? DfgWarpedAxes::value(read.A, read.B, NoV) : read;
   A = brdf.A;
   B = brdf.B;
 }

@@ -59,7 +59,7 @@ template <LightKind kind, class F>
 TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, const LightRay<F>& ray,
                               LightSums<F>& sums) {
   const F nl = ray.nd * ray.inverse_length;
-  const F NoL = clamp(nl, F(0), F(1));
+  const F NoL = max(nl, F(0));
   // H = l + v in two parts, along n and beside it. N min(alpha^2 N, N): where n.H < 0, no weight makes the part along n
   // smaller, as clamping NoH to 0 in D's formula does.
   const F N = nl + p.nv;
@@ -68,14 +68,14 @@ TESSERA_INLINE void add_light(const LitPoint<F>& p, const LightView& light, cons
                      beside(p.n.z, ray.d.z, p.v_tangential.z)};
   const F T2 = dot(T, T);
   const F H2 = mul_add(N, N, T2);
-  const LobeFraction<F> dv = DV_GGX_fraction(p.lobe, H2, N * min(p.lobe.alpha2 * N, N), T2, NoL);
+  const LobeFraction<F> dv = DV_GGX_fraction(p.lobe, H2, mul_add(N, min(p.lobe.alpha2 * N, N), T2), NoL);
 
   // |l + v| = 2 cos of half the angle between them.
   const F weight = pow5(neg_mul_add(F(0.5), sqrt(H2), F(1)));
   const F strength = NoL * ray.strength;
   F diffuse, specular;
   if (is_plus_one(kind == LightKind::mixed ? kind_of(light) : kind)) {
-    const F quotient = strength / (dv.denominator * ray.divisor);  // strength is at most 1: no overflow
+    const F quotient = strength / (dv.denominator * ray.divisor);  // strength is at most 2: no overflow
     diffuse = quotient * dv.denominator;
     specular = quotient * dv.numerator;
   } else {

@@ -195,9 +195,15 @@ template <class F>
     Float above[4], below[4];
     block.dfg.gather(i, dfg_origin(dfg), dfg_pitch(dfg.size), above, below);
     const Float NoV = clamp_NoV(load<Float>(block.nv + i));
-    const EnvironmentBRDF<Float> brdf = blend(dfg, NoV, block.dfg.weights(i), dfg_texels(above), dfg_texels(below));
-    store(block.A + i, brdf.A);
-    store(block.B + i, brdf.B);
+    const EnvironmentBRDF<Float> read = blend(block.dfg.weights(i), dfg_texels(above), dfg_texels(below));
+    const auto leave = [&](const EnvironmentBRDF<Float>& brdf) {
+      store(block.A + i, brdf.A);
+      store(block.B + i, brdf.B);
+    };
+    if (dfg.warped)
+      leave(DfgWarpedAxes::value(read.A, read.B, NoV));
+    else
+      leave(read);
   }
 }
 
