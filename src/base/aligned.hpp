@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -13,6 +14,7 @@ template <class T>
 struct AlignedAllocator {
   using value_type = T;
   static constexpr std::size_t huge_page = std::size_t{1} << 21;
+  static constexpr std::size_t most = PTRDIFF_MAX / sizeof(T) - huge_page;
   AlignedAllocator() = default;
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}
@@ -20,8 +22,11 @@ struct AlignedAllocator {
     return std::align_val_t{n * sizeof(T) >= 2 * huge_page ? huge_page : 64};
   }
   T* allocate(std::size_t n) {
-    void* p = ::operator new(n * sizeof(T), alignment(n));
-    if (n * sizeof(T) >= 2 * huge_page) madvise(p, n * sizeof(T), MADV_HUGEPAGE);  // a wish: no matter if it fails
+    if (n * sizeof(T) < 2 * huge_page) return static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
+    if (n > most) throw std::bad_array_new_length();
+    const std::size_t bytes = (n * sizeof(T) + huge_page - 1) / huge_page * huge_page;  // the last page is one, too
+    void* p = ::operator new(bytes, alignment(n));
+    madvise(p, bytes, MADV_HUGEPAGE);  // a wish: no matter if it fails
     return static_cast<T*>(p);
   }
   void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n)); }
