@@ -56,11 +56,13 @@ void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const S
   shader.args.environment = surroundings.environment;
   shader.args.dfg = surroundings.dfg;
   shader.args.fetch_ahead = 2 * block_floats;  // the next block but one
-  // A row of blocks is a task: neighbours in memory stay on one core, and there are enough rows to even out.
-  parallel_for(std::size_t(gbuffer.blocks_y()), [&](std::size_t row) {
-    const int first = int(row) * gbuffer.blocks_x();
+  // Neighbours in memory stay on one core; and tasks are short, so that no core waits long for another's last one.
+  constexpr int blocks_per_task = 15;
+  const int blocks = gbuffer.blocks();
+  parallel_for(std::size_t((blocks + blocks_per_task - 1) / blocks_per_task), [&](std::size_t task) {
+    const int first = int(task) * blocks_per_task;
     ShadeArgs args = shader.args;
-    for (int x = 0; x < gbuffer.blocks_x(); ++x) shader.shade(first + x, args);
+    for (int block = first; block < std::min(first + blocks_per_task, blocks); ++block) shader.shade(block, args);
   });
 }
 
