@@ -170,9 +170,9 @@ TESSERA_INLINE ChannelSplit<F> split_FdezAguera(F f0, F A, F B) {
 /// The same with the roughness-dependent kS of the published listing (energy.hpp: what the renderer's shading uses).
 template <class F>
 TESSERA_INLINE ChannelSplit<F> split_FdezAguera_kS(F f0, F A, F B, F NoV, F roughness) {
-  ChannelSplit<F> split;
-  split_channel(f0, A, B, schlick_weight(NoV), roughness, &split.single, &split.multiple);
-  return split;
+  F single, all;
+  split_channel(f0, A, B, schlick_weight(NoV), roughness, &single, &all);
+  return {single, all - single};
 }
 
 }  // namespace

@@ -214,13 +214,12 @@ TESSERA_INLINE Vec3<Float> shade_environment_options(const ShadeArgs& args, cons
   const Float open = shading.specular_occlusion ? specular_occlusion(NoV, occlusion, r * r) : occlusion;
   const Vec3<Float> specular = load_vector<Float>(block.specular, i) * open;
   const Vec3<Float> diffuse = load_vector<Float>(block.irradiance, i) * occlusion;
-  const auto reflect = [&](Float single, Float multiple, Float albedo, Float along, Float around_n) {
-    const Float transmitted = albedo * (Float(1) - single - multiple);
-    return mul_add(single, along, (multiple + transmitted) * around_n);
+  const auto reflect = [&](Float single, Float all, Float albedo, Float along, Float around_n) {
+    return mul_add(single, along, irradiance_weight(single, all, albedo) * around_n);
   };
-  return {reflect(split.single.x, split.multiple.x, surface.albedo.x, specular.x, diffuse.x),
-          reflect(split.single.y, split.multiple.y, surface.albedo.y, specular.y, diffuse.y),
-          reflect(split.single.z, split.multiple.z, surface.albedo.z, specular.z, diffuse.z)};
+  return {reflect(split.single.x, split.all.x, surface.albedo.x, specular.x, diffuse.x),
+          reflect(split.single.y, split.all.y, surface.albedo.y, specular.y, diffuse.y),
+          reflect(split.single.z, split.all.z, surface.albedo.z, specular.z, diffuse.z)};
 }
 
 }  // namespace

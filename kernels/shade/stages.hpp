@@ -117,18 +117,18 @@ template <bool mirror, class F>
 TESSERA_INLINE void find_direction(const GBufferView& g, const float (&eye)[4], int faces, int i, Block& block) {
   const Vec3<F> n = load_vector<F>(block.n, i);
   const Vec3<F> eyewards = to_eye(load_vector<F>(g.position, block.first + std::uint32_t(i)), eye);
-  // A point within a micrometre of the eye has a shorter v.
-  const Vec3<F> v = eyewards * (F(1) / sqrt(max(dot(eyewards, eyewards), F(1e-12))));
-  store_vector(block.v, i, v);
-  store(block.nv + i, dot(n, v));
+  const F along_n = dot(n, eyewards);
   if constexpr (mirror) {
     // Of any length: this does not wait for v.
-    const F along_n = dot(n, eyewards), twice = along_n + along_n;
+    const F twice = along_n + along_n;
     const Vec3<F> mirrored = {mul_sub(n.x, twice, eyewards.x), mul_sub(n.y, twice, eyewards.y),
                               mul_sub(n.z, twice, eyewards.z)};
-    const CubePoint<F> point = cube_point(mirrored, faces);
-    store_point(block, i, point);
+    store_point(block, i, cube_point(mirrored, faces));
   }
+  // A point within a micrometre of the eye has a shorter v.
+  const F inverse_length = F(1) / sqrt(max(dot(eyewards, eyewards), F(1e-12)));
+  store_vector(block.v, i, eyewards * inverse_length);
+  store(block.nv + i, along_n * inverse_length);
 }
 /// Of all fragments. A root and two divisions one after the other: two vectors side by side even where others go alone.
 template <bool mirror>

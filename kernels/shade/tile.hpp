@@ -28,13 +28,13 @@ TESSERA_INLINE void add_environment(const GBufferView& g, const Block& block, in
   const Vec3<F> specular = load_vector<F>(block.specular, i);
   const Vec3<F> diffuse = load_vector<F>(block.irradiance, i);
   const F occlusion = load<F>(g.occlusion + at);
-  const auto reflect = [&](F single, F multiple, F albedo, F along_R, F around_n, F& sum) {
-    const F transmitted = albedo * (F(1) - single - multiple);
-    sum = mul_add(mul_add(single, along_R, (multiple + transmitted) * around_n), occlusion, sum);
+  const auto reflect = [&](F single, F all, F albedo, F along_R, F around_n, F& sum) {
+    const F around = irradiance_weight(single, all, albedo) * around_n;
+    sum = mul_add(mul_add(single, along_R, around), occlusion, sum);
   };
-  reflect(split.single.x, split.multiple.x, surface.albedo.x, specular.x, diffuse.x, radiance.x);
-  reflect(split.single.y, split.multiple.y, surface.albedo.y, specular.y, diffuse.y, radiance.y);
-  reflect(split.single.z, split.multiple.z, surface.albedo.z, specular.z, diffuse.z, radiance.z);
+  reflect(split.single.x, split.all.x, surface.albedo.x, specular.x, diffuse.x, radiance.x);
+  reflect(split.single.y, split.all.y, surface.albedo.y, specular.y, diffuse.y, radiance.y);
+  reflect(split.single.z, split.all.z, surface.albedo.z, specular.z, diffuse.z, radiance.z);
 }
 
 /// The last stage: all that a block sends to the eye, summed.
