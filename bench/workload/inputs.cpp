@@ -94,7 +94,11 @@ BlockedGBuffer::BlockedGBuffer(const std::vector<float>& raw, int width, int hei
             raw[(p * h + y) * w + x];
       }
   const Kernels& kernels = select_kernels();
-  parallel_for(std::size_t(blocks()), [&](std::size_t i) { kernels.clamp_surfaces(block(int(i)), block_pixels); });
+  parallel_for(std::size_t(blocks()), [&](std::size_t i) {
+    GBufferView view{};
+    view_block(int(i), view);
+    kernels.clamp_surfaces(view, block_pixels);
+  });
 }
 
 BlockedGBuffer::BlockedGBuffer(const BlockedGBuffer& other, int width, int height)
@@ -105,10 +109,9 @@ BlockedGBuffer::BlockedGBuffer(const BlockedGBuffer& other, int width, int heigh
   });
 }
 
-GBufferView BlockedGBuffer::block(int index) const {
+void BlockedGBuffer::view_block(int index, GBufferView& view) const {
   float* const base = values_.data() + std::size_t(index) * block_floats;
   const auto plane = [&](int p) { return base + std::size_t(p) * block_pixels; };
-  GBufferView view{};
   for (int k = 0; k < 3; ++k) {
     view.position[k] = plane(k);
     view.normal[k] = plane(3 + k);
@@ -117,7 +120,6 @@ GBufferView BlockedGBuffer::block(int index) const {
   view.metallic = plane(9);
   view.roughness = plane(10);
   view.occlusion = plane(11);
-  return view;
 }
 
 LightSet::LightSet(const std::vector<float>& records) {

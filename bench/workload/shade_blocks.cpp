@@ -18,7 +18,7 @@ struct BlockShader {
   void shade(int block, ShadeArgs& a) const {
     alignas(64) float radiance[3][block_pixels];
     std::uint32_t list[most_lights];
-    a.gbuffer = gbuffer.block(block);
+    gbuffer.view_block(block, a.gbuffer);
     for (int k = 0; k < 3; ++k) a.radiance[k] = radiance[k];
     if (lights.culled) {
       const GBufferView& g = a.gbuffer;
