@@ -61,8 +61,8 @@ class BlockedGBuffer {
   [[nodiscard]] int blocks_x() const { return (width_ + block_size - 1) / block_size; }
   [[nodiscard]] int blocks_y() const { return (height_ + block_size - 1) / block_size; }
   [[nodiscard]] int blocks() const { return blocks_x() * blocks_y(); }
-  /// Points a view at a block's planes. Those that the workload has none of (emissive, alpha, unlit, depth) stay as they
-  /// are. In place: a copy would wait for what was just stored.
+  /// Points a view at a block's planes. Those that the workload has none of (emissive, alpha, unlit, depth) stay as
+  /// they are. In place: a copy would wait for what was just stored.
   void view_block(int index, GBufferView& view) const;
 
  private:
