@@ -25,7 +25,7 @@ struct GGXLobe {
 template <class F>
 TESSERA_INLINE GGXLobe<F> ggx_lobe(F NoV, F alpha) {
   const F alpha2 = alpha * alpha, NoV2 = NoV * NoV, intercept = NoV2 * alpha2, slope2 = NoV2 - intercept;
-  return {alpha2, alpha2 * F(0.5 / pi), sqrt(slope2 + alpha2), slope2, intercept};
+  return {alpha2, alpha2 * F(0.5 / pi), smith_root_GGX(NoV, alpha2), slope2, intercept};
 }
 
 /// D V as a fraction, so that a caller who divides anyway divides once.
