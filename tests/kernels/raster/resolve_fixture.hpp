@@ -122,21 +122,18 @@ inline std::vector<Fragment> whole_tile(std::uint16_t samples = 1) {
   return fragments;
 }
 
+/// A view that repeats and is filtered between texels and mips. bind() gives it its texels.
+inline TextureView trilinear(TexelFormat format, int width, int height, int levels) {
+  constexpr WrapMode repeat = WrapMode::repeat;
+  constexpr FilterMode linear = FilterMode::linear;
+  return {nullptr, format, width, height, levels, repeat, repeat, linear, linear, linear, true};
+}
+
 /// A texture of one half-float texel.
 inline TextureMemory half_texel(std::uint16_t r, std::uint16_t g, std::uint16_t b, std::uint16_t a = 0x3c00) {
   TextureMemory t;
   t.halves = {r, g, b, a};
-  t.view = {nullptr,
-            TexelFormat::rgba16_float,
-            1,
-            1,
-            1,
-            WrapMode::repeat,
-            WrapMode::repeat,
-            FilterMode::linear,
-            FilterMode::linear,
-            FilterMode::linear,
-            true};
+  t.view = trilinear(TexelFormat::rgba16_float, 1, 1, 1);
   return t;
 }
 inline void bind(TextureSlotView& slot, TextureMemory& texture) {

@@ -129,17 +129,7 @@ TEST(Resolve, SlotsDoNotDisturbEachOther) {
   TextureMemory textures[2];
   for (TextureMemory& t : textures) {
     for (int i = 0; i < 4 * (256 + 64 + 16 + 4 + 1); ++i) t.halves.push_back(std::uint16_t(random() % 0x3c00));
-    t.view = {nullptr,
-              TexelFormat::rgba16_float,
-              16,
-              16,
-              5,
-              WrapMode::repeat,
-              WrapMode::repeat,
-              FilterMode::linear,
-              FilterMode::linear,
-              FilterMode::linear,
-              true};
+    t.view = trilinear(TexelFormat::rgba16_float, 16, 16, 5);
   }
   Workbench bench;
   for (float& e : bench.material.emissive) e = 1;

@@ -73,17 +73,7 @@ TEST(Resolve, MipLevelIsThatOfTheFootprint) {
   const std::uint16_t halves[] = {0, 0x3000, 0x3400, 0x3600, 0x3800, 0x3900, 0x3a00, 0x3b00, 0x3c00};  // 0 .. 1
   for (int k = 0; k < 9; ++k)
     texture.halves.insert(texture.halves.end(), 4 * (256 >> k) * std::max(1, 64 >> k), halves[k]);
-  texture.view = {nullptr,
-                  TexelFormat::rgba16_float,
-                  256,
-                  64,
-                  9,
-                  WrapMode::repeat,
-                  WrapMode::repeat,
-                  FilterMode::linear,
-                  FilterMode::linear,
-                  FilterMode::linear,
-                  true};
+  texture.view = trilinear(TexelFormat::rgba16_float, 256, 64, 9);
   Workbench& bench = scene.bench;
   bench.material.has_colors = false;
   TextureSlotView& slot = bench.material.base_color_texture;

@@ -205,17 +205,7 @@ TEST(Sample, WhiteStaysExactlyWhite) {
   for (const Kernels* kernels : runnable_kernels()) {
     TextureMemory texture;
     texture.bytes.assign(std::size_t(4) * (64 + 16 + 4 + 1), 255);
-    texture.view = {nullptr,
-                    TexelFormat::rgba8_unorm,
-                    8,
-                    8,
-                    4,
-                    WrapMode::repeat,
-                    WrapMode::repeat,
-                    FilterMode::linear,
-                    FilterMode::linear,
-                    FilterMode::linear,
-                    true};
+    texture.view = trilinear(TexelFormat::rgba8_unorm, 8, 8, 4);
     Workbench bench;
     bind(bench.material.base_color_texture, texture);
     add_covering_triangle(bench, [](float x, float y) {
