@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "base/large_buffer.hpp"
+#include "base/aligned.hpp"
 
 namespace {
 
@@ -64,8 +64,8 @@ AVX2 void load_quads(benchmark::State& state) {
 
 // Streams of 256 MiB, shared by the threads: past every cache.
 constexpr std::size_t stream_floats = std::size_t{64} << 20;
-const LargeBuffer& stream_buffer() {
-  static const LargeBuffer buffer(stream_floats);
+AlignedVector<float>& stream_buffer() {
+  static AlignedVector<float> buffer(stream_floats);
   return buffer;
 }
 struct Part {

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "base/aligned.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "bench/determinism/contracted.hpp"
@@ -70,7 +71,7 @@ void compare_deferred(const Options& options, const Kernels& kernels, int rounds
   const Surroundings surroundings(folder, kernels);
   const BlockedGBuffer gbuffer(folder);
   constexpr std::size_t floats = std::size_t{4} * width * height;
-  const LargeBuffer films[2] = {LargeBuffer(floats), LargeBuffer(floats)};
+  AlignedVector<float> films[2] = {AlignedVector<float>(floats), AlignedVector<float>(floats)};
   for (const std::string& variant : parts(options.at("--variant"))) {
     const LightSet lights(folder, variant);
     const Comparison c = compare([&] { shade_blocks(kernels, gbuffer, surroundings, lights, films[0].data()); },

@@ -3,6 +3,7 @@
 #include <list>
 #include <memory>
 
+#include "base/aligned.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "bench/peers/environment.hpp"
@@ -86,8 +87,8 @@ class Bench {
   std::list<LightSet> lights_;
   std::list<Mesh> meshes_;
   std::list<FullFrame> frames_;
-  std::list<LargeBuffer> films_;
-  LargeBuffer* film_ = nullptr;
+  std::list<AlignedVector<float>> films_;
+  AlignedVector<float>* film_ = nullptr;
   std::size_t film_floats_ = 0;
 };
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "base/large_buffer.hpp"
+#include "base/aligned.hpp"
 #include "frame/lights.hpp"
 #include "kernels/interface.hpp"
 #include "precompute/cube.hpp"
@@ -67,7 +67,7 @@ class BlockedGBuffer {
 
  private:
   int width_, height_;
-  LargeBuffer values_;
+  mutable AlignedVector<float> values_;  // GBufferView has no constant planes; shading only reads them
 };
 
 /// A set of lights, "L4"; with given lists, "L256t"; with lists that every frame makes itself, "L256c".

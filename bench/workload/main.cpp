@@ -12,6 +12,7 @@
 #include <map>
 #include <sstream>
 
+#include "base/aligned.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -62,7 +63,7 @@ void run_deferred(const Options& options, const Kernels& kernels) {
   const std::string folder = options.at("--data");
   const Surroundings surroundings(folder, kernels);
   const BlockedGBuffer gbuffer(folder);
-  const LargeBuffer film(std::size_t{4} * width * height);
+  AlignedVector<float> film(std::size_t{4} * width * height);
   for_each_variant(options, [&](const std::string& variant) {
     const LightSet lights(folder, variant);
     Timing timing;
