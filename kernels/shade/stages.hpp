@@ -196,6 +196,7 @@ template <class F>
     block.dfg.gather(i, dfg_origin(dfg), dfg_pitch(dfg.size), above, below);
     const Float NoV = clamp_NoV(load<Float>(block.nv + i));
     const EnvironmentBRDF<Float> read = blend(block.dfg.weights(i), dfg_texels(above), dfg_texels(below));
+    // In either case at once: joined, the two would pass through the stack (GCC 12).
     const auto leave = [&](const EnvironmentBRDF<Float>& brdf) {
       store(block.A + i, brdf.A);
       store(block.B + i, brdf.B);
