@@ -10,6 +10,7 @@
 #include "base/aligned.hpp"
 #include "frame/dispatch.hpp"
 #include "kernels/interface.hpp"
+#include "precompute/dfg.hpp"
 
 namespace tessera {
 namespace {
@@ -19,7 +20,7 @@ constexpr int cube_size = 256, cube_levels = 9, dfg_size = 128;
 struct TileOfPixels {
   AlignedVector<float> planes = AlignedVector<float>(std::size_t{tile_pixels} * (gbuffer_planes + 3));
   std::vector<std::uint16_t> cube = std::vector<std::uint16_t>(4 * cube_texel_count(cube_size, cube_levels) + 8);
-  std::vector<float> dfg = std::vector<float>(2 * dfg_pitch(dfg_size) * dfg_pitch(dfg_size), 0.4f);
+  DfgTable dfg = DfgTable(std::vector<float>(2 * dfg_size * dfg_size, 0.4f).data(), dfg_size);
   std::vector<LightView> lights;
 
   [[nodiscard]] float* plane(int k) { return planes.data() + std::size_t{tile_pixels} * k; }
@@ -75,7 +76,7 @@ struct TileOfPixels {
     a.light_count = light_count;
     a.environment.specular = {cube.data(), cube_size, cube_levels};
     a.environment.irradiance_sh[0][0] = 1;
-    a.dfg = {dfg.data(), dfg_size};
+    a.dfg = dfg.view();
     return a;
   }
 };

@@ -55,9 +55,12 @@ void write_all(const std::string& folder) {
   }
   write_environment(folder, kernels);
   const DfgTable table = build_dfg_table(kernels);
-  const auto row = std::size_t(2 * table.size);
-  std::vector<std::uint16_t> halves(row * std::size_t(table.size));
-  for (int j = 0; j < table.size; ++j) kernels.pack_half(table.node(0, j), halves.data() + std::size_t(j) * row, row);
+  std::vector<float> pairs;
+  for (int j = 0; j < table.size; ++j)
+    for (int i = 0; i < table.size; ++i)
+      for (const double number : table.node(i, j)) pairs.push_back(float(number));
+  std::vector<std::uint16_t> halves(pairs.size());
+  kernels.pack_half(pairs.data(), halves.data(), pairs.size());
   write(folder + "/dfg.rg16f", halves.data(), halves.size());
 }
 

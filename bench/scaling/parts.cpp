@@ -35,8 +35,7 @@ class Bench {
       : effort_(effort),
         kernels_(kernels),
         painted_(peers::paint_environment(kernels)),
-        surroundings_(std::move(painted_.reflections), painted_.irradiance, build_dfg_table(kernels).texels,
-                      peers::eye),
+        surroundings_(std::move(painted_.reflections), painted_.irradiance, build_dfg_table(kernels), peers::eye),
         gbuffer_(peers::cast_gbuffer(workload::width, workload::height), workload::width, workload::height) {}
 
   const LightSet& lights(int count) {

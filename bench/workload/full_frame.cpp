@@ -4,7 +4,8 @@ namespace tessera::workload {
 
 FullFrame::FullFrame(const Mesh& mesh, const Surroundings& surroundings, const LightSet& lights, const View& view)
     : scene_(mesh.scene()), view_(view) {
-  scene_.lighting = {lights.lights, surroundings.environment, surroundings.dfg, feature_lights | feature_environment,
+  scene_.lighting = {lights.lights, surroundings.environment, surroundings.dfg.view(),
+                     feature_lights | feature_environment,
                      lights.bounds.worth_culling() ? lights.bounds.view() : LightBoundsView{}};
   settings_.width = view.transform.width;
   settings_.height = view.transform.height;

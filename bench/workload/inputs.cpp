@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "frame/dispatch.hpp"
-#include "precompute/dfg.hpp"
 
 namespace tessera::workload {
 
@@ -39,7 +38,15 @@ constexpr int cube_size = 256, cube_levels = 9, dfg_size = 128;
 
 }  // namespace
 
-Surroundings::Surroundings(const std::string& folder, const Kernels& kernels) : cube(cube_size, cube_levels) {
+static DfgTable read_dfg(const std::string& path, const Kernels& kernels) {
+  const auto halves = read_exactly<std::uint16_t>(path, std::size_t{2} * dfg_size * dfg_size);
+  std::vector<float> pairs(halves.size());
+  kernels.unpack_half(halves.data(), pairs.data(), halves.size());
+  return {pairs.data(), dfg_size};
+}
+
+Surroundings::Surroundings(const std::string& folder, const Kernels& kernels)
+    : cube(cube_size, cube_levels), dfg(read_dfg(folder + "/dfg.rg16f", kernels)) {
   const auto camera = read_exactly<float>(folder + "/camera.f32", 4);
   std::copy(camera.begin(), camera.end(), eye);
   std::size_t texels = 0;
@@ -56,11 +63,6 @@ Surroundings::Surroundings(const std::string& folder, const Kernels& kernels) : 
   environment.specular = cube.view();
   const auto sh = read_exactly<float>(folder + "/sh9.f32", 27);
   for (int i = 0; i < 27; ++i) environment.irradiance_sh[i / 3][i % 3] = sh[std::size_t(i)];
-  const auto table = read_exactly<std::uint16_t>(folder + "/dfg.rg16f", std::size_t{2} * dfg_size * dfg_size);
-  AlignedVector<float> pairs(table.size());
-  kernels.unpack_half(table.data(), pairs.data(), table.size());
-  dfg_texels = with_border(pairs.data(), dfg_size);
-  dfg = {dfg_texels.data(), dfg_size};
 }
 
 // As StorePixelsArgs has it.
@@ -68,13 +70,11 @@ static std::size_t store_order(int x, int y) {
   return std::size_t(y / 4 * 4 * block_size + x / 4 * 16 + y % 4 * 4 + x % 4);
 }
 
-Surroundings::Surroundings(Cube prefiltered, const IrradianceSh& sh, const AlignedVector<float>& dfg_pairs,
-                           const float* eye_position)
-    : cube(std::move(prefiltered)), dfg_texels(with_border(dfg_pairs.data(), dfg_size)) {
+Surroundings::Surroundings(Cube prefiltered, const IrradianceSh& sh, DfgTable table, const float* eye_position)
+    : cube(std::move(prefiltered)), dfg(std::move(table)) {
   std::copy_n(eye_position, 4, eye);
   environment.specular = cube.view();
   std::copy_n(&sh.coefficients[0][0], 27, &environment.irradiance_sh[0][0]);
-  dfg = {dfg_texels.data(), dfg_size};
 }
 
 BlockedGBuffer::BlockedGBuffer(const std::string& folder)

@@ -15,6 +15,7 @@
 #include "frame/lights.hpp"
 #include "kernels/interface.hpp"
 #include "precompute/cube.hpp"
+#include "precompute/dfg.hpp"
 #include "precompute/irradiance.hpp"
 
 namespace tessera::workload {
@@ -35,13 +36,11 @@ struct Surroundings {
   float eye[4];
   Cube cube;
   EnvironmentView environment{};
-  AlignedVector<float> dfg_texels;
-  DfgView dfg{};
+  DfgTable dfg;
 
   Surroundings(const std::string& folder, const Kernels& kernels);
   /// From what is there already; eye has four numbers.
-  Surroundings(Cube prefiltered, const IrradianceSh& sh, const AlignedVector<float>& dfg_pairs,
-               const float* eye_position);
+  Surroundings(Cube prefiltered, const IrradianceSh& sh, DfgTable dfg, const float* eye_position);
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 };

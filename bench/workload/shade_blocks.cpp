@@ -16,7 +16,7 @@ struct BlockShader {
 
   // a: a copy of args.
   void shade(int block, ShadeArgs& a) const {
-    alignas(64) float radiance[3][block_pixels];
+    alignas(256) float radiance[3][block_pixels];
     std::uint32_t list[most_lights];
     gbuffer.view_block(block, a.gbuffer);
     for (int k = 0; k < 3; ++k) a.radiance[k] = radiance[k];
@@ -54,7 +54,7 @@ void shade_blocks(const Kernels& kernels, const BlockedGBuffer& gbuffer, const S
   shader.args.lights = lights.lights.data();
   shader.args.light_count = std::uint32_t(lights.lights.size());
   shader.args.environment = surroundings.environment;
-  shader.args.dfg = surroundings.dfg;
+  shader.args.dfg = surroundings.dfg.view();
   shader.args.fetch_ahead = 2 * block_floats;  // the next block but one
   // Neighbours in memory stay on one core; and tasks are short, so that no core waits long for another's last one.
   constexpr int blocks_per_task = 15;

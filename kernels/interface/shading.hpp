@@ -99,14 +99,19 @@ struct EnvironmentShading {
 
 // Directional albedo of the specular lobe: integral f = F0 A + F90 B. Plain: pairs (A, B), texel i of row j at NoV = (i
 // + 0.5) / size, r = (j + 0.5) / size. Warped: pairs and axes of DfgWarpedAxes (kernels/light/dfg_lookup.hpp), which
-// err a thousand times less between the nodes. Either has a border of one texel, copies of those at its edge, so that a
+// err a thousand times less between the nodes. Either has a border of one node, copies of those at its edge, so that a
 // bilinear footprint never leaves it.
 struct DfgView {
-  const float* texels;  // (size + 2) x (size + 2) pairs
-  int size;             // without the border; at least 2
+  // (size + 2) x (size + 2) of four numbers: the first of the pair here and in the node below, and the second. A number
+  // stands for itself times dfg_step plus dfg_middle: from -1/64 (of a warped pair the second may be a little below 0)
+  // to 1, within 8e-6.
+  const std::int16_t* nodes;
+  int size;  // without the border; at least 2
   bool warped = false;
 };
-inline constexpr int dfg_pitch(int size) { return size + 2; }  // from one row to the next, in pairs
+inline constexpr int dfg_node_shorts = 4;
+inline constexpr double dfg_step = (1 + 1.0 / 64) / 65535, dfg_middle = 32768 * dfg_step - 1.0 / 64;
+inline constexpr int dfg_pitch(int size) { return size + 2; }  // from one row to the next, in nodes
 
 enum ShadeFeature : std::uint32_t {  // what a set of fragments calls for; the smallest kernel that covers it is run
   feature_lights = 1,

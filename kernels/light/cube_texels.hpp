@@ -11,12 +11,6 @@ namespace {
 struct HalfTexels {};
 struct Rgb9e5Texels {};
 
-/// 32-bit words of a texel.
-template <class Texels>
-inline constexpr int texel_words = 2;
-template <>
-inline constexpr int texel_words<Rgb9e5Texels> = 1;
-
 /// What a decoded texel is divided by. It goes into the weights that texels are multiplied by anyway.
 template <class Texels, class F>
 inline constexpr float texel_scale = 1;

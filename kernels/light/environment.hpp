@@ -55,15 +55,30 @@ struct BilinearFootprint {
   F w00, w01, w10, w11;
 };
 
-/// The bilinear footprint, times weight (of the texel format's texel_scale), in a level of 2 half texels along a face
-/// whose first texel has the index `start`. The border makes it seamless: no footprint leaves its face.
+/// A place in a level, in texels from the centre of the border's first one.
 template <class F>
-TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubePoint<F>& p, F half, IntOf<F> start, int pitch, F weight) {
-  using I = IntOf<F>;
+struct LevelPoint {
+  F x, y;
+};
+/// In a level of 2 half texels along a face.
+template <class F>
+TESSERA_INLINE LevelPoint<F> level_point(const CubePoint<F>& p, F half) {
   const F centre = half + F(0.5);  // texel 0's centre is at 1/2 in the face and at 3/2 with the border: s n + 1/2
-  const F x = mul_add(p.s, half, centre), y = mul_add(p.t, half, centre);
-  const I i = truncate_to_int(x), j = truncate_to_int(y);
-  const F fx = x - to_float(i), fy = y - to_float(j);
+  return {mul_add(p.s, half, centre), mul_add(p.t, half, centre)};
+}
+/// The same place in the next coarser level.
+template <class F>
+TESSERA_INLINE LevelPoint<F> coarser(const LevelPoint<F>& p) {
+  return {mul_add(p.x, F(0.5), F(0.25)), mul_add(p.y, F(0.5), F(0.25))};
+}
+
+/// The bilinear footprint, times weight (of the texel format's texel_scale), in a level whose first texel has the index
+/// `start`. The border makes it seamless: no footprint leaves its face.
+template <class F>
+TESSERA_INLINE BilinearFootprint<F> cube_footprint(const LevelPoint<F>& p, IntOf<F> start, int pitch, F weight) {
+  using I = IntOf<F>;
+  const I i = truncate_to_int(p.x), j = truncate_to_int(p.y);
+  const F fx = p.x - to_float(i), fy = p.y - to_float(j);
 
   BilinearFootprint<F> f;
   f.above = j * I(pitch) + (start + i);
@@ -112,7 +127,7 @@ TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F
   const F whole = F(texel_scale<Texels, F>);
   CubeLookup<F> lookup;
   if (cube.levels == 1) {
-    lookup.fine = lookup.coarse = cube_footprint(p, F(cube.size) * F(0.5), p.face, pitch, whole);
+    lookup.fine = lookup.coarse = cube_footprint(level_point(p, F(cube.size) * F(0.5)), p.face, pitch, whole);
     lookup.coarse.w00 = lookup.coarse.w01 = lookup.coarse.w10 = lookup.coarse.w11 = F(0);
     return lookup;
   }
@@ -125,8 +140,9 @@ TESSERA_INLINE CubeLookup<F> cube_lookup(const CubeView& cube, const CubePoint<F
   const int below = (cube.size + 2) * pitch;
   const I coarse_start = p.face + (fine + fine - n + I(below + cube.size));
   const I fine_start = select(fine > I(0), coarse_start - n - I(2), p.face);
-  lookup.fine = cube_footprint(p, half, fine_start, pitch, whole - w);
-  lookup.coarse = cube_footprint(p, half * F(0.5), coarse_start, pitch, w);
+  const LevelPoint<F> at = level_point(p, half);
+  lookup.fine = cube_footprint(at, fine_start, pitch, whole - w);
+  lookup.coarse = cube_footprint(coarser(at), coarse_start, pitch, w);
   return lookup;
 }
 
@@ -151,8 +167,8 @@ inline UniformLookup uniform_lookup(const CubeView& cube, float lod) {
 template <class F>
 TESSERA_INLINE BilinearFootprint<F> cube_footprint(const CubeView& cube, const CubePoint<F>& p,
                                                    const WholeLevel& level) {
-  return cube_footprint(p, F(level.half), p.face + IntOf<F>(level.start), cube_pitch(cube.size, cube.levels),
-                        F(level.weight * texel_scale<HalfTexels, F>));
+  return cube_footprint(level_point(p, F(level.half)), p.face + IntOf<F>(level.start),
+                        cube_pitch(cube.size, cube.levels), F(level.weight * texel_scale<HalfTexels, F>));
 }
 
 /// Radiance along `direction` at level `lod`: bilinear in a face, linear between levels, seamless across faces. The
@@ -209,74 +225,48 @@ TESSERA_INLINE F irradiance(const IrradiancePolynomial<F>& p, const Vec3<F>& n) 
   return max(mul_add(n.x, along_x, mul_add(n.y, along_y, mul_add(n.z, p.z, p.one))), F(0));
 }
 
-/// The texel that DfgPosition counts from: linear axes reach into the border on both sides, warped ones begin at the
+/// The node that DfgPosition counts from: linear axes reach into the border on both sides, warped ones begin at the
 /// first node.
 TESSERA_INLINE const float* dfg_origin(const DfgView& dfg) {
-  return dfg.warped ? dfg.texels + 2 * (dfg_pitch(dfg.size) + 1) : dfg.texels;
+  const int first = dfg.warped ? dfg_pitch(dfg.size) + 1 : 0;
+  return reinterpret_cast<const float*>(dfg.nodes + std::ptrdiff_t{dfg_node_shorts} * first);
 }
 
-/// (A, B) of two neighbours in a row of the table.
-template <class F>
-struct DfgTexels {
-  F A0, B0, A1, B1;
-};
-/// As they lie in memory.
-TESSERA_INLINE DfgTexels<Float> dfg_texels(const Float (&words)[4]) { return {words[0], words[1], words[2], words[3]}; }
-template <class F>
-TESSERA_INLINE DfgTexels<F> dfg_texels(const DfgView& dfg, IntOf<F> index) {
-  Float words[4];
-  gather_quads(dfg_origin(dfg), index << 1, words);
-  return dfg_texels(words);
-}
-template <>
-inline DfgTexels<float> dfg_texels<float>(const DfgView& dfg, std::int32_t index) {
-  const float* t = dfg_origin(dfg) + std::ptrdiff_t{2} * index;
-  return {t[0], t[1], t[2], t[3]};
-}
-template <>
-inline DfgTexels<double> dfg_texels<double>(const DfgView& dfg, std::int64_t index) {
-  const float* t = dfg_origin(dfg) + 2 * index;
-  return {double(t[0]), double(t[1]), double(t[2]), double(t[3])};
-}
-
-/// In texels from dfg_origin(), never below 0. NoV and r (perceptual) in [0, 1].
+/// In nodes from dfg_origin(), never below 0. NoV and r (perceptual) in [0, 1].
 template <class F>
 TESSERA_INLINE DfgPosition<F> dfg_position(const DfgView& dfg, F NoV, F r) {
   const F size = F(dfg.size);
   if (dfg.warped) return DfgWarpedAxes::position(NoV, r, size);
   return {mul_add(NoV, size, F(0.5)), mul_add(r, size, F(0.5))};  // node 0 is at 1/2, and at 3/2 with the border
 }
+
+/// A node, the one below it, and their neighbours to the right.
+template <class F>
+struct DfgFootprint {
+  IntOf<F> node;   // the upper left one
+  IntOf<F> below;  // what the lower nodes count for, and in the low sixteen bits the upper ones: of dfg_whole
+  F right;         // what the right nodes count for, of 1
+};
+inline constexpr int dfg_whole = (1 << 15) - 1;
+
 /// Bilinear. The border clamps to the table's edge.
 template <class F>
-TESSERA_INLINE BilinearFootprint<F> dfg_footprint(const DfgView& dfg, const DfgPosition<F>& at) {
+TESSERA_INLINE DfgFootprint<F> dfg_footprint(const DfgView& dfg, const DfgPosition<F>& at) {
   using I = IntOf<F>;
-  const I i = truncate_to_int(at.x), j = truncate_to_int(at.y);
-  const F w1 = at.x - to_float(i), v1 = at.y - to_float(j);
-  const F v0 = F(1) - v1, w01 = v0 * w1, w11 = v1 * w1;
-  return {j * I(dfg_pitch(dfg.size)) + i, v0 - w01, w01, v1 - w11, w11};
+  const I i = truncate_to_int(at.x), y = round_to_int(at.y * F(dfg_whole + 1));
+  const I below = y & I(dfg_whole);
+  return {(y >> 15) * I(dfg_pitch(dfg.size)) + i, (below << 16) + (I(dfg_whole) - below), at.x - to_float(i)};
 }
 
-/// What the table holds: A and B, or on warped axes what gives them.
-template <class F>
-TESSERA_INLINE EnvironmentBRDF<F> blend(const BilinearFootprint<F>& f, const DfgTexels<F>& above,
-                                        const DfgTexels<F>& below) {
-  const auto channel = [&](F a, F b, F c, F d) {
-    return mul_add(f.w11, d, mul_add(f.w10, c, mul_add(f.w01, b, f.w00 * a)));
+/// What the table holds at a footprint: A and B, or on warped axes what gives them. words: of both upper nodes.
+TESSERA_INLINE EnvironmentBRDF<Float> blend_dfg(Int below, Float right, const Float (&words)[4]) {
+  const auto channel = [&](Float left_word, Float right_word) {
+    // Exact: sixteen bits times fifteen, and differences of such.
+    const Int l = dot_halves(bits(left_word), below), r = dot_halves(bits(right_word), below);
+    const Float sum = mul_add(right, to_float(r - l), to_float(l));
+    return mul_add(sum, Float(dfg_step / dfg_whole), Float(dfg_middle));
   };
-  return {channel(above.A0, above.A1, below.A0, below.A1), channel(above.B0, above.B1, below.B0, below.B1)};
-}
-
-/// A and B of the environment BRDF: integral of the specular lobe = F0 A + F90 B. NoV and r (perceptual) are clamped to
-/// [0, 1].
-template <class F>
-inline void sample_dfg(const DfgView& dfg, F NoV, F r, F& A, F& B) {
-  const BilinearFootprint<F> f = dfg_footprint(dfg, dfg_position(dfg, saturate(NoV), saturate(r)));
-  const DfgTexels<F> above = dfg_texels<F>(dfg, f.above);
-  const DfgTexels<F> below = dfg_texels<F>(dfg, f.above + IntOf<F>(dfg_pitch(dfg.size)));
-  const EnvironmentBRDF<F> read = blend(f, above, below);
-  const EnvironmentBRDF<F> brdf = dfg.warped ? DfgWarpedAxes::value(read.A, read.B, NoV) : read;
-  A = brdf.A;
-  B = brdf.B;
+  return {channel(words[0], words[2]), channel(words[1], words[3])};
 }
 
 }  // namespace

@@ -16,33 +16,33 @@ namespace {
 inline constexpr int block_size = 64;
 static_assert(block_size % Wide::lanes == 0);
 
-/// Bilinear footprints of a block's fragments.
+/// Bilinear footprints of a block's fragments on a cube.
 struct Footprints {
-  alignas(64) std::int32_t word[block_size];  // where the upper left texel is, in words of 32 bits
+  alignas(64) std::int32_t texel[block_size];  // BilinearFootprint::above
   alignas(64) float weight[4][block_size];
 
-  /// Entries of two words, or of one.
-  template <int entry_words = 2, class F>
+  template <class F>
   TESSERA_INLINE void set(int i, const BilinearFootprint<F>& f) {
-    store(word + i, entry_words == 2 ? f.above + f.above : f.above);
+    store(texel + i, f.above);
     store(weight[0] + i, f.w00);
     store(weight[1] + i, f.w01);
     store(weight[2] + i, f.w10);
     store(weight[3] + i, f.w11);
   }
-  /// The texels themselves: two in the footprint's upper row, two in the lower one.
-  TESSERA_INLINE void gather(int i, const void* table, int pitch, Float (&above)[4], Float (&below)[4]) const {
-    gather_quads(static_cast<const float*>(table), word + i, 2 * std::ptrdiff_t{pitch}, above, below);
+  /// Half texels themselves: two in the footprint's upper row, two in the lower one.
+  TESSERA_INLINE void gather(int i, const CubeView& cube, Float (&above)[4], Float (&below)[4]) const {
+    gather_quads(words(cube), texel + i, 2 * std::ptrdiff_t{cube_pitch(cube.size, cube.levels)}, above, below);
   }
-  /// Asks for the texels of the lanes from i on.
-  TESSERA_INLINE void prefetch(int i, int lanes, const void* table, int pitch) const {
-    const float* const above = static_cast<const float*>(table);
-    const float* const below = above + 2 * std::ptrdiff_t{pitch};
+  /// Asks for the half texels of the lanes from i on.
+  TESSERA_INLINE void prefetch(int i, int lanes, const CubeView& cube) const {
+    const float* const above = words(cube);
+    const float* const below = above + 2 * std::ptrdiff_t{cube_pitch(cube.size, cube.levels)};
     for (int k = i; k < i + lanes; ++k) {
-      tessera::TESSERA_ISA::prefetch(above + word[k]);
-      tessera::TESSERA_ISA::prefetch(below + word[k]);
+      tessera::TESSERA_ISA::prefetch(above + std::ptrdiff_t{2} * texel[k]);
+      tessera::TESSERA_ISA::prefetch(below + std::ptrdiff_t{2} * texel[k]);
     }
   }
+  static const float* words(const CubeView& cube) { return reinterpret_cast<const float*>(cube.texels); }
   TESSERA_INLINE BilinearFootprint<Float> weights(int i) const {
     BilinearFootprint<Float> f;
     f.w00 = load<Float>(weight[0] + i);
@@ -50,6 +50,19 @@ struct Footprints {
     f.w10 = load<Float>(weight[2] + i);
     f.w11 = load<Float>(weight[3] + i);
     return f;
+  }
+};
+
+/// Of a block's fragments on the environment BRDF's table.
+struct DfgFootprints {
+  alignas(64) std::int32_t node[block_size], below[block_size];
+  alignas(64) float right[block_size];
+
+  template <class F>
+  TESSERA_INLINE void set(int i, const DfgFootprint<F>& f) {
+    store(node + i, f.node);
+    store(below + i, f.below);
+    store(right + i, f.right);
   }
 };
 
@@ -65,12 +78,14 @@ struct Block {
   // Of the G-buffer, from `first` on.
   const float *n[3], *roughness;
 
-  // What each stage leaves.
-  alignas(64) float v[3][block_size], nv[block_size];          // towards the eye, unit; n.v
+  // What each stage leaves. On multiples of 256 bytes, as planes of a G-buffer are: then a load never agrees in its
+  // last twelve bits with a store of an iteration before, for which a core might take it.
+  alignas(256) float v[3][block_size], nv[block_size];         // towards the eye, unit; n.v
   alignas(64) float f0[3][block_size], albedo[3][block_size];  // Reflectance; where there are lights
   alignas(64) std::int32_t cube_face[block_size];              // CubePoint
   alignas(64) float cube_s[block_size], cube_t[block_size];
-  Footprints dfg, cube_fine, cube_coarse;
+  Footprints cube_fine, cube_coarse;
+  DfgFootprints dfg;
   alignas(64) float A[block_size], B[block_size];  // EnvironmentBRDF
   alignas(64) float irradiance[3][block_size];     // E(n) / pi
   alignas(64) float specular[3][block_size];       // prefiltered radiance, its mean over the lobe
@@ -159,12 +174,11 @@ template <class F>
 /// Of the block's point of the cube, for the fragments from i on.
 template <class Texels, class F>
 TESSERA_INLINE void find_footprint(const CubeView& cube, F level, int i, Block& block) {
-  constexpr int words = texel_words<Texels>;
   const CubePoint<F> point = {load_int<IntOf<F>>(block.cube_face + i), load<F>(block.cube_s + i),
                               load<F>(block.cube_t + i)};
   const CubeLookup<F> lookup = cube_lookup<Texels>(cube, point, level);
-  block.cube_fine.template set<words>(i, lookup.fine);
-  block.cube_coarse.template set<words>(i, lookup.coarse);
+  block.cube_fine.set(i, lookup.fine);
+  block.cube_coarse.set(i, lookup.coarse);
 }
 
 /// On the table, and on the cube by roughness.
@@ -192,10 +206,11 @@ template <class F>
 [[gnu::noinline]] inline void read_dfg(const ShadeArgs& args, Block& block) {
   const DfgView dfg = args.dfg;
   for (int i = 0; i < block.count; i += Float::lanes) {
-    Float above[4], below[4];
-    block.dfg.gather(i, dfg_origin(dfg), dfg_pitch(dfg.size), above, below);
+    Float words[4];
+    gather_quads(dfg_origin(dfg), block.dfg.node + i, words);
     const Float NoV = clamp_NoV(load<Float>(block.nv + i));
-    const EnvironmentBRDF<Float> read = blend(block.dfg.weights(i), dfg_texels(above), dfg_texels(below));
+    const EnvironmentBRDF<Float> read =
+        blend_dfg(load_int<Int>(block.dfg.below + i), load<Float>(block.dfg.right + i), words);
     // In either case at once: joined, the two would pass through the stack (GCC 12).
     const auto leave = [&](const EnvironmentBRDF<Float>& brdf) {
       store(block.A + i, brdf.A);
@@ -211,12 +226,12 @@ template <class F>
 /// Radiance in a level of the cube.
 TESSERA_INLINE Vec3<Float> read_footprint(HalfTexels, const CubeView& cube, const Footprints& footprints, int i) {
   Float above[4], below[4];
-  footprints.gather(i, cube.texels, cube_pitch(cube.size, cube.levels), above, below);
+  footprints.gather(i, cube, above, below);
   return blend(footprints.weights(i), decode_texels(above), decode_texels(below));
 }
 TESSERA_INLINE Vec3<Float> read_footprint(Rgb9e5Texels texels, const CubeView& cube, const Footprints& footprints,
                                           int i) {
-  const Int above = load_int<Int>(footprints.word + i), below = above + Int(cube_pitch(cube.size, cube.levels));
+  const Int above = load_int<Int>(footprints.texel + i), below = above + Int(cube_pitch(cube.size, cube.levels));
   return blend(footprints.weights(i), cube_texels<Float>(texels, cube, above), cube_texels<Float>(texels, cube, below));
 }
 
@@ -260,7 +275,7 @@ template <bool environment, bool mirror, LightKind kind>
     const Float r = max(load<Float>(block.roughness + i), Float(min_punctual_roughness));
     p.lobe = ggx_lobe(clamp_NoV(p.nv), r * r);
     // Of the stages, this one leaves the load ports idle; texels of the finer level mostly come from far away.
-    if constexpr (mirror) block.cube_fine.prefetch(i, Float::lanes, cube.texels, cube_pitch(cube.size, cube.levels));
+    if constexpr (mirror) block.cube_fine.prefetch(i, Float::lanes, cube);
     const LightSums<Float> sums = sum_lights<kind>(p, lights);
     const Reflectance<Float> surface = load_reflectance<Float>(g, at);
     if constexpr (environment) {

@@ -41,6 +41,7 @@ template <int n>
 TESSERA_INLINE __m256i high_half_shifted(__m256i x) {
   return _mm256_madd_epi16(x, _mm256_set1_epi32(1 << (16 + n)));
 }
+TESSERA_INLINE __m256i dot_halves(__m256i a, __m256i b) { return _mm256_madd_epi16(a, b); }
 
 template <int scale>
 TESSERA_INLINE __m256 gather(const void* base, __m256i index, __m256 active) {
@@ -134,13 +135,14 @@ TESSERA_INLINE void transpose_quads(__m256 a, __m256 b, __m256 c, __m256 d, __m2
   out[2] = _mm256_shuffle_ps(ab_high, cd_high, 0x44);
   out[3] = _mm256_shuffle_ps(ab_high, cd_high, 0xee);
 }
-// Each record's quads lie `stride` apart.
-template <int quads, class Load>
-TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, std::ptrdiff_t stride, const Load& load,
-                                   __m256* out) {
+// Records begin at multiples of `unit` words; each one's quads lie `stride` apart.
+template <int quads, int unit, class Load>
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* index, std::ptrdiff_t stride,
+                                   const Load& load, __m256* out) {
   __m256 records[quads][4];
   for (int i = 0; i < 4; ++i) {
-    const float *low = base + word[i], *high = base + word[i + 4];
+    const auto record = [&](int lane) { return base + std::ptrdiff_t{unit} * index[lane]; };
+    const float *low = record(i), *high = record(i + 4);
     for (int q = 0; q < quads; ++q)
       records[q][i] = _mm256_insertf128_ps(_mm256_castps128_ps256(load(low + stride * q)), load(high + stride * q), 1);
   }
@@ -155,12 +157,12 @@ TESSERA_INLINE void gather_records(const float* base, __m256i words, const Load&
   alignas(32) std::int32_t word[8];
   _mm256_store_si256(reinterpret_cast<__m256i*>(word), words);
   asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
-  gather_records<quads>(base, word, 4, load, out);
+  gather_records<quads, 1>(base, word, 4, load, out);
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, __m256* out) {
-  gather_records<quads>(
-      base, word, stride, [](const float* p) { return load_quad(p); }, out);
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* pair, std::ptrdiff_t stride, __m256* out) {
+  gather_records<quads, 2>(
+      base, pair, stride, [](const float* p) { return load_quad(p); }, out);
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m256i words, __m256* out) {

@@ -45,6 +45,7 @@ template <int n>
 TESSERA_INLINE __m512i high_half_shifted(__m512i x) {
   return _mm512_madd_epi16(x, _mm512_set1_epi32(1 << (16 + n)));
 }
+TESSERA_INLINE __m512i dot_halves(__m512i a, __m512i b) { return _mm512_madd_epi16(a, b); }
 
 template <int scale>
 TESSERA_INLINE __m512 gather(const void* base, __m512i index, __mmask16 active) {
@@ -123,13 +124,14 @@ TESSERA_INLINE __m512 four_records(const float* const (&p)[4], std::ptrdiff_t wo
   const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(load(p[2] + word)), load(p[3] + word), 1);
   return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1);
 }
-// Each record's quads lie `stride` apart.
-template <int quads, class Load>
-TESSERA_INLINE void gather_records(const float* base, const std::int32_t* word, std::ptrdiff_t stride, const Load& load,
-                                   __m512* out) {
+// Records begin at multiples of `unit` words; each one's quads lie `stride` apart.
+template <int quads, int unit, class Load>
+TESSERA_INLINE void gather_records(const float* base, const std::int32_t* index, std::ptrdiff_t stride,
+                                   const Load& load, __m512* out) {
   __m512 records[quads][4];
   for (int i = 0; i < 4; ++i) {
-    const float* const p[4] = {base + word[i], base + word[i + 4], base + word[i + 8], base + word[i + 12]};
+    const auto record = [&](int lane) { return base + std::ptrdiff_t{unit} * index[lane]; };
+    const float* const p[4] = {record(i), record(i + 4), record(i + 8), record(i + 12)};
     for (int q = 0; q < quads; ++q) records[q][i] = four_records(p, stride * q, load);
   }
   for (int q = 0; q < quads; ++q) {
@@ -143,12 +145,12 @@ TESSERA_INLINE void gather_records(const float* base, __m512i words, const Load&
   alignas(64) std::int32_t word[16];
   _mm512_store_si512(word, words);
   asm("" : "+m"(word));  // the compiler would take lanes out by shuffles, which are what the transposition needs
-  gather_records<quads>(base, word, 4, load, out);
+  gather_records<quads, 1>(base, word, 4, load, out);
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, __m512* out) {
-  gather_records<quads>(
-      base, word, stride, [](const float* p) { return load_quad(p); }, out);
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* pair, std::ptrdiff_t stride, __m512* out) {
+  gather_records<quads, 2>(
+      base, pair, stride, [](const float* p) { return load_quad(p); }, out);
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, __m512i words, __m512* out) {

@@ -45,6 +45,10 @@ template <int n>
 TESSERA_INLINE int32x4_t high_half_shifted(int32x4_t x) {
   return vshlq_n_s32(vshrq_n_s32(x, 16), n);
 }
+TESSERA_INLINE int32x4_t dot_halves(int32x4_t a, int32x4_t b) {
+  const int16x8_t x = vreinterpretq_s16_s32(a), y = vreinterpretq_s16_s32(b);
+  return vpaddq_s32(vmull_s16(vget_low_s16(x), vget_low_s16(y)), vmull_high_s16(x, y));
+}
 
 TESSERA_INLINE std::uint32_t mask_bits(uint32x4_t m) {
   const uint32x4_t bit = {1, 2, 4, 8};
@@ -163,22 +167,23 @@ TESSERA_INLINE void spread_two(const float* const* record, int32x4_t place4, con
 }
 // Each record's quads lie `stride` apart.
 template <int quads>
-TESSERA_INLINE void gather_records(const float* base, int32x4_t words, std::ptrdiff_t stride, float32x4_t* out) {
+TESSERA_INLINE void gather_records(const float* const (&p)[4], std::ptrdiff_t stride, float32x4_t* out) {
   for (int q = 0; q < quads; ++q) {
-    const float* from = base + stride * q;
+    const std::ptrdiff_t at = stride * q;
     float32x4_t words_of_quad[4];
-    transpose_quads(vld1q_f32(from + words[0]), vld1q_f32(from + words[1]), vld1q_f32(from + words[2]),
-                    vld1q_f32(from + words[3]), words_of_quad);
+    transpose_quads(vld1q_f32(p[0] + at), vld1q_f32(p[1] + at), vld1q_f32(p[2] + at), vld1q_f32(p[3] + at),
+                    words_of_quad);
     for (int i = 0; i < 4; ++i) out[4 * q + i] = words_of_quad[i];
   }
 }
 template <int quads>
 TESSERA_INLINE void gather_quads(const float* base, int32x4_t words, float32x4_t* out) {
-  gather_records<quads>(base, words, 4, out);
+  gather_records<quads>({base + words[0], base + words[1], base + words[2], base + words[3]}, 4, out);
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, float32x4_t* out) {
-  gather_records<quads>(base, vld1q_s32(word), stride, out);
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* pair, std::ptrdiff_t stride, float32x4_t* out) {
+  const auto record = [&](int lane) { return base + std::ptrdiff_t{2} * pair[lane]; };
+  gather_records<quads>({record(0), record(1), record(2), record(3)}, stride, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, int32x4_t words, float32x4_t* out) {
   float32x4_t triple[4];

@@ -64,6 +64,7 @@ TESSERA_INLINE Pair<T> operator|(Pair<T> a, Pair<T> b) {
 }
 TESSERA_INLINE Pair<Mask> operator!(Pair<Mask> a) { return {!a.first, !a.second}; }
 TESSERA_INLINE Pair<Int> operator<<(Pair<Int> a, int n) { return {a.first << n, a.second << n}; }
+TESSERA_INLINE Pair<Int> operator>>(Pair<Int> a, int n) { return {a.first >> n, a.second >> n}; }
 template <class T>
 TESSERA_INLINE Pair<Mask> operator<(Pair<T> a, Pair<T> b) {
   return {a.first < b.first, a.second < b.second};
@@ -108,6 +109,7 @@ TESSERA_INLINE bool any(Pair<Mask> m) { return any(m.first | m.second); }
 TESSERA_INLINE Pair<Int> truncate_to_int(Pair<Float> x) {
   return {truncate_to_int(x.first), truncate_to_int(x.second)};
 }
+TESSERA_INLINE Pair<Int> round_to_int(Pair<Float> x) { return {round_to_int(x.first), round_to_int(x.second)}; }
 TESSERA_INLINE Pair<Float> to_float(Pair<Int> x) { return {to_float(x.first), to_float(x.second)}; }
 
 template <>

@@ -71,6 +71,9 @@ template <int n>
 TESSERA_INLINE std::int32_t high_half_shifted(std::int32_t x) {
   return (x >> 16) * (1 << n);
 }
+TESSERA_INLINE std::int32_t dot_halves(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int16_t>(a) * static_cast<std::int16_t>(b) + (a >> 16) * (b >> 16);
+}
 
 // The caller keeps x within the integer's range.
 TESSERA_INLINE std::int32_t truncate_to_int(float x) { return static_cast<std::int32_t>(x); }

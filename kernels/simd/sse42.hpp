@@ -86,6 +86,7 @@ template <int n>
 TESSERA_INLINE __m128i high_half_shifted(__m128i x) {
   return _mm_madd_epi16(x, _mm_set1_epi32(1 << (16 + n)));
 }
+TESSERA_INLINE __m128i dot_halves(__m128i a, __m128i b) { return _mm_madd_epi16(a, b); }
 
 TESSERA_INLINE std::uint32_t mask_bits(__m128 m) { return static_cast<std::uint32_t>(_mm_movemask_ps(m)); }
 TESSERA_INLINE __m128 mask_from_bits(std::uint32_t b) {
@@ -259,8 +260,9 @@ TESSERA_INLINE void gather_quads(const float* base, __m128i words, __m128* out) 
                         4, out);
 }
 template <int quads>
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, __m128* out) {
-  gather_records<quads>({base + word[0], base + word[1], base + word[2], base + word[3]}, stride, out);
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* pair, std::ptrdiff_t stride, __m128* out) {
+  const auto record = [&](int lane) { return base + std::ptrdiff_t{2} * pair[lane]; };
+  gather_records<quads>({record(0), record(1), record(2), record(3)}, stride, out);
 }
 TESSERA_INLINE void gather_triples(const float* base, __m128i words, __m128* out) {
   __m128 triple[4];

@@ -47,6 +47,9 @@ template <int n>
 TESSERA_INLINE Int high_half_shifted(Int a) {
   return make_int(native::high_half_shifted<n>(a.raw()));
 }
+// Lane by lane the sum of two products: the low sixteen bits', and the high ones', all as signed numbers. The sum fits
+// unless all four are -2^15.
+TESSERA_INLINE Int dot_halves(Int a, Int b) { return make_int(native::dot_halves(a.raw(), b.raw())); }
 TESSERA_INLINE Int& operator+=(Int& a, Int b) { return a = a + b; }
 TESSERA_INLINE Int& operator-=(Int& a, Int b) { return a = a - b; }
 TESSERA_INLINE Int& operator*=(Int& a, Int b) { return a = a * b; }
@@ -187,11 +190,17 @@ TESSERA_INLINE void gather_quads(const float* base, Int word, Float (&out)[words
   native::gather_quads<words / 4>(base, word.raw(), r);
   for (int i = 0; i < words; ++i) out[i] = make_float(r[i]);
 }
-// Four words of each record, and the four that lie `stride` words behind those. The lanes' words are in memory.
-TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* word, std::ptrdiff_t stride, Float (&first)[4],
+// Four words of each record, from a multiple of two words on. The lanes' multiples are in memory.
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* pair, Float (&out)[4]) {
+  native::FloatRegister r[4];
+  native::gather_quads<1>(base, pair, 0, r);
+  for (int i = 0; i < 4; ++i) out[i] = make_float(r[i]);
+}
+// And the four that lie `stride` words behind those.
+TESSERA_INLINE void gather_quads(const float* base, const std::int32_t* pair, std::ptrdiff_t stride, Float (&first)[4],
                                  Float (&second)[4]) {
   native::FloatRegister r[8];
-  native::gather_quads<2>(base, word, stride, r);
+  native::gather_quads<2>(base, pair, stride, r);
   for (int i = 0; i < 4; ++i) {
     first[i] = make_float(r[i]);
     second[i] = make_float(r[4 + i]);

@@ -63,7 +63,7 @@ std::size_t Lighting::table_bytes(const RenderSettings& settings) const {
   const std::size_t specular = settings.environment_texels == CubeFormat::rgb9_e5 && packed_
                                    ? packed_->bytes()
                                    : texels_of(view.specular) * texel_bytes;
-  const std::size_t dfg = reads_table(settings) ? shared_dfg_table(kernels_).texels.size() * sizeof(float) : 0;
+  const std::size_t dfg = reads_table(settings) ? shared_dfg_table(kernels_).nodes.size() * sizeof(std::int16_t) : 0;
   return specular + texels_of(view.background) * texel_bytes + dfg;
 }
 

@@ -1,5 +1,7 @@
 #include "precompute/dfg.hpp"
 
+#include <cstddef>
+
 #include "base/parallel.hpp"
 #include "precompute/dfg_variants.hpp"
 
@@ -10,12 +12,12 @@ DfgTable build_dfg_table(const Kernels& kernels, int size) {
   parallel_for(std::size_t(size), [&](std::size_t row) {
     kernels.dfg_table({pairs.data(), size, int(row), int(row) + 1});
   });
-  return {with_border(pairs.data(), size), size, false};
+  return {pairs.data(), size};
 }
 
 DfgTable build_warped_dfg_table(const Kernels& kernels, int size) {
   const DfgVariant nodes = build_dfg_variant(kernels, DfgAxes::warped, DfgFormat::float32, size, true);
-  return {with_border(nodes.words.data(), size), size, true};
+  return {nodes.words.data(), size, true};
 }
 
 }  // namespace tessera

@@ -20,7 +20,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
   std::vector<float> dfg(2 * dfg_size * dfg_size);
   kernels.dfg_table({dfg.data(), dfg_size, 0, dfg_size});
   hash.add(dfg);
-  const AlignedVector<float> bordered = with_border(dfg.data(), dfg_size);
+  const DfgTable table(dfg.data(), dfg_size);
 
   GBuffer gbuffer;
   for (auto& plane : gbuffer.planes)
@@ -55,7 +55,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                  nullptr,
                  3,
                  environment,
-                 {bordered.data(), dfg_size},
+                 table.view(),
                  {radiance[0].values, radiance[1].values, radiance[2].values},
                  0});
   for (const auto& plane : radiance)
@@ -75,7 +75,7 @@ void hash_shade(const Kernels& kernels, Random& random, Hash& hash) {
                    nullptr,
                    0,
                    environment,
-                   {bordered.data(), dfg_size},
+                   table.view(),
                    {radiance[0].values, radiance[1].values, radiance[2].values},
                    0,
                    {lobe, EnvironmentFresnel::f0, lobe != EnvironmentLobe::mirror,

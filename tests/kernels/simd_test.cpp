@@ -113,6 +113,7 @@ const Row rows[] = {
     INTS(shift_right_logical, Bits(i) >> shift),
     INTS(low_half_shifted, (std::int16_t(i) * 8192) ^ std::int16_t(i)),
     INTS(high_half_shifted, (std::int16_t(i >> 16) * 8192) ^ (std::int16_t(i >> 16) * 16384)),
+    INTS(dot_halves, std::int64_t{std::int16_t(i)} * std::int16_t(j) + std::int64_t{i >> 16} * (j >> 16)),
     INTS(int_min, std::min(i, j)),
     INTS(int_max, std::max(i, j)),
     INTS(int_less, mask(i < j)),

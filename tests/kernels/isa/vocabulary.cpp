@@ -130,6 +130,8 @@ void apply(const OperationArgs& args) {
       return ints([](I i, I) { return low_half_shifted<13>(i) ^ low_half_shifted<0>(i); });
     case Operation::high_half_shifted:
       return ints([](I i, I) { return high_half_shifted<13>(i) ^ high_half_shifted<14>(i); });
+    case Operation::dot_halves:
+      return ints([](I i, I j) { return dot_halves(i, j); });
     case Operation::int_min:
       return ints([](I i, I j) { return min(i, j); });
     case Operation::int_max:

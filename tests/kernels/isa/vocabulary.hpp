@@ -52,6 +52,7 @@ enum class Operation {
   shift_right_logical,
   low_half_shifted,
   high_half_shifted,
+  dot_halves,
   int_min,
   int_max,
   int_less,

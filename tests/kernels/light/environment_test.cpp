@@ -12,6 +12,7 @@
 
 #include "kernels/light/test_cube.hpp"
 #include "kernels/runnable_kernels.hpp"
+#include "kernels/shade/stages.hpp"
 #include "precompute/dfg.hpp"
 
 namespace tessera::TESSERA_ISA {
@@ -187,72 +188,80 @@ TEST(Irradiance, IsTheSeries) {
   }
 }
 
-TEST(SampleDfg, IsBilinearAndClampsToTheEdge) {
-  constexpr int size = 16;
-  std::vector<float> texels(size * size * 2);
-  std::mt19937 random(5);
-  for (float& value : texels) value = float(random() % 1000) / 1000;
-  const AlignedVector<float> bordered = with_border(texels.data(), size);
-  const DfgView table{bordered.data(), size};
-  const auto texel = [&](int i, int j, int c) {
+// A table of random pairs, read by shading's stages.
+class RandomDfg {
+ public:
+  static constexpr int size = 16;
+  explicit RandomDfg(bool warped, unsigned seed) : pairs_(random_pairs(seed)), table_(pairs_.data(), size, warped) {
+    args_.dfg = table_.view();
+    block_.first = 0;
+    block_.count = block_size;
+    block_.roughness = roughness_;
+  }
+  [[nodiscard]] double pair(int i, int j, int c) const {
     i = std::clamp(i, 0, size - 1), j = std::clamp(j, 0, size - 1);
-    return double(texels[std::size_t((j * size + i) * 2 + c)]);
-  };
-  for (double NoV = 0; NoV <= 1; NoV += 1.0 / 97) {
-    for (double r = 0; r <= 1; r += 1.0 / 89) {
-      double A = 0, B = 0;
-      float a = 0, b = 0;
-      sample_dfg(table, NoV, r, A, B);
-      sample_dfg(table, float(NoV), float(r), a, b);
-      const double x = NoV * size - 0.5, y = r * size - 0.5;
-      const int i = int(std::floor(x)), j = int(std::floor(y));
-      const double wx = x - i, wy = y - j;
-      const auto expected = [&](int c) {
-        return (texel(i, j, c) * (1 - wx) + texel(i + 1, j, c) * wx) * (1 - wy) +
-               (texel(i, j + 1, c) * (1 - wx) + texel(i + 1, j + 1, c) * wx) * wy;
-      };
-      ASSERT_NEAR(A, expected(0), 1e-12);
-      ASSERT_NEAR(B, expected(1), 1e-12);
-      ASSERT_NEAR(double(a), expected(0), 5e-6);
-      ASSERT_NEAR(double(b), expected(1), 5e-6);
+    return double(pairs_[std::size_t((j * size + i) * 2 + c)]);
+  }
+  /// Bilinear between pairs, x and y in nodes from the first.
+  [[nodiscard]] double between(double x, double y, int c) const {
+    const int i = int(std::floor(x)), j = int(std::floor(y));
+    const double wx = x - i, wy = y - j;
+    return (pair(i, j, c) * (1 - wx) + pair(i + 1, j, c) * wx) * (1 - wy) +
+           (pair(i, j + 1, c) * (1 - wx) + pair(i + 1, j + 1, c) * wx) * wy;
+  }
+  /// check(NoV, roughness, A, B) for a grid of both.
+  template <class Check>
+  void read(const Check& check) {
+    for (int row = 0; row <= 96; ++row) {
+      for (int i = 0; i < block_size; ++i) {
+        block_.nv[i] = std::max(float(i) / (block_size - 1), 1e-4f);
+        roughness_[i] = float(row) / 96;
+      }
+      find_dfg_footprints<Wide>(args_, block_);
+      read_dfg(args_, block_);
+      for (int i = 0; i < block_size; ++i)
+        check(double(block_.nv[i]), double(roughness_[i]), double(block_.A[i]), double(block_.B[i]));
     }
   }
-  float a = -1, b = -1;
-  sample_dfg(table, std::numeric_limits<float>::quiet_NaN(), 2e30f, a, b);
-  EXPECT_EQ(a, float(texel(0, size - 1, 0)));
-  EXPECT_EQ(b, float(texel(0, size - 1, 1)));
+
+ private:
+  static std::vector<float> random_pairs(unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<float> pairs(size * size * 2);
+    for (float& x : pairs) x = float(random() % 1000) / 1000;
+    return pairs;
+  }
+
+  std::vector<float> pairs_;
+  DfgTable table_;
+  ShadeArgs args_{};
+  Block block_{};
+  alignas(64) float roughness_[block_size] = {};
+};
+
+// A node keeps its numbers within 8e-6. What rows count for is a multiple of 1/32767, found in steps of 1/32768.
+constexpr double node_step = 8e-6, row_step = 4.7e-5;
+
+TEST(ReadDfg, IsBilinearAndClampsToTheEdge) {
+  RandomDfg dfg(false, 5);
+  dfg.read([&](double NoV, double r, double A, double B) {
+    const double x = NoV * RandomDfg::size - 0.5, y = r * RandomDfg::size - 0.5;
+    ASSERT_NEAR(A, dfg.between(x, y, 0), node_step + row_step) << NoV << " " << r;
+    ASSERT_NEAR(B, dfg.between(x, y, 1), node_step + row_step) << NoV << " " << r;
+  });
 }
 
 // The warped axes written out once more: u = s (1 + 2 r) / (s + 2 r) and root r, over loss and drop.
-TEST(SampleDfg, WarpedIsLossAndDropOnItsAxes) {
-  constexpr int size = 16;
-  std::vector<float> texels(size * size * 2);
-  std::mt19937 random(6);
-  for (float& value : texels) value = float(random() % 1000) / 1000;
-  const AlignedVector<float> bordered = with_border(texels.data(), size);
-  const DfgView table{bordered.data(), size, true};
-  const auto texel = [&](int i, int j, int c) { return double(texels[std::size_t((j * size + i) * 2 + c)]); };
-  for (double NoV = 1e-4; NoV <= 1; NoV += 1.0 / 97) {
-    for (double r = 1e-3; r <= 1; r += 1.0 / 89) {
-      double A = 0, B = 0;
-      sample_dfg(table, NoV, r, A, B);
-      const double s = std::sqrt(NoV), last = size - 1;
-      const double x = last * s * (1 + 2 * r) / (s + 2 * r), y = last * std::sqrt(r);
-      const int i = std::min(int(x), size - 2), j = std::min(int(y), size - 2);
-      const double wx = x - i, wy = y - j;
-      const auto read = [&](int c) {
-        return (texel(i, j, c) * (1 - wx) + texel(i + 1, j, c) * wx) * (1 - wy) +
-               (texel(i, j + 1, c) * (1 - wx) + texel(i + 1, j + 1, c) * wx) * wy;
-      };
-      const double expected_B = std::pow(1 - NoV, 5) - read(1), expected_A = 1 - read(0) - expected_B;
-      ASSERT_NEAR(A, expected_A, 1e-11) << NoV << " " << r;
-      ASSERT_NEAR(B, expected_B, 1e-11);
-      float a = 0, b = 0;
-      sample_dfg(table, float(NoV), float(r), a, b);
-      ASSERT_NEAR(double(a), expected_A, 2e-5);
-      ASSERT_NEAR(double(b), expected_B, 2e-5);
-    }
-  }
+TEST(ReadDfg, WarpedIsLossAndDropOnItsAxes) {
+  RandomDfg dfg(true, 6);
+  dfg.read([&](double NoV, double r, double A, double B) {
+    const double s = std::sqrt(NoV), last = RandomDfg::size - 1;
+    const double x = last * s * (1 + 2 * r) / (s + 2 * r), y = last * std::sqrt(r);
+    const double expected_B = std::pow(1 - NoV, 5) - dfg.between(x, y, 1),
+                 expected_A = 1 - dfg.between(x, y, 0) - expected_B;
+    ASSERT_NEAR(A, expected_A, 2 * (node_step + row_step)) << NoV << " " << r;
+    ASSERT_NEAR(B, expected_B, node_step + row_step) << NoV << " " << r;
+  });
 }
 
 }  // namespace

@@ -52,20 +52,20 @@ int face_of(const Vec3& d, double* s, double* t) {
 double lerp(double a, double b, double t) { return a + (b - a) * t; }
 Vec3 lerp(const Vec3& a, const Vec3& b, double t) { return a + (b - a) * t; }
 
-// (A, B) pairs by quadrature; the same for every environment.
-const std::vector<float>& dfg_texels() {
-  static const std::vector<float> texels = [] {
-    std::vector<float> result;
+// (A, B) by quadrature; the same for every environment.
+const DfgTable& dfg_table() {
+  static const DfgTable table = [] {
+    std::vector<float> pairs;
     for (int j = 0; j < dfg_size; ++j)
       for (int i = 0; i < dfg_size; ++i) {
         const double r = (j + 0.5) / dfg_size;
         const auto albedo = reference::directional_albedo((i + 0.5) / dfg_size, r * r, 24);
-        result.push_back(float(albedo.A));
-        result.push_back(float(albedo.B));
+        pairs.push_back(float(albedo.A));
+        pairs.push_back(float(albedo.B));
       }
-    return result;
+    return DfgTable(pairs.data(), dfg_size);
   }();
-  return texels;
+  return table;
 }
 
 }  // namespace
@@ -146,10 +146,7 @@ EnvironmentView Environment::view() const {
   return view;
 }
 
-DfgView Environment::dfg() const {
-  static const AlignedVector<float> texels = with_border(dfg_texels().data(), dfg_size);
-  return {texels.data(), dfg_size};
-}
+DfgView Environment::dfg() const { return dfg_table().view(); }
 
 reference::ShadeEnvironment Environment::reference() const {
   const auto texel = [this](int level, int face, int x, int y) {
@@ -184,9 +181,9 @@ reference::ShadeEnvironment Environment::reference() const {
       return x - *i;
     };
     int i = 0, j = 0;
-    const double x = axis(NoV, &i), y = axis(roughness, &j);
+    const double x = axis(NoV, &i), y = std::round(axis(roughness, &j) * 32768) / 32767;  // rows: kernels count so
     const auto channel = [&](int c) {
-      const auto at = [&](int column, int row) { return double(dfg_texels()[2 * (row * dfg_size + column) + c]); };
+      const auto at = [&](int column, int row) { return dfg_table().node(column, row)[std::size_t(c)]; };
       return lerp(lerp(at(i, j), at(i + 1, j), x), lerp(at(i, j + 1), at(i + 1, j + 1), x), y);
     };
     return reference::DirectionalAlbedo{channel(0), channel(1)};
