@@ -65,7 +65,7 @@ Surroundings::Surroundings(const std::string& folder, const Kernels& kernels)
   for (int i = 0; i < 27; ++i) environment.irradiance_sh[i / 3][i % 3] = sh[std::size_t(i)];
 }
 
-// As StorePixelsArgs has it.
+// As FilmBlocks have it.
 static std::size_t store_order(int x, int y) {
   return std::size_t(y / 4 * 4 * block_size + x / 4 * 16 + y % 4 * 4 + x % 4);
 }

@@ -50,7 +50,7 @@ struct Surroundings {
 class BlockedGBuffer {
  public:
   explicit BlockedGBuffer(const std::string& folder);
-  /// From 12 planes of width x height; width a multiple of block_size.
+  /// From 12 planes of width x height; width a multiple of block_size, height of 4.
   BlockedGBuffer(const std::vector<float>& planes_of_pixels, int width, int height);
   /// Another size, filled with the blocks of `other`, over and over.
   BlockedGBuffer(const BlockedGBuffer& other, int width, int height);

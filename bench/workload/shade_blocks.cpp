@@ -30,16 +30,11 @@ struct BlockShader {
       a.light_count = offset[1] - offset[0];
       a.light_list = lights.indices.data() + offset[0];
     }
-    kernels.shade(a);
-
     const int across = gbuffer.blocks_x(), x = block % across * block_size, y = block / across * block_size;
-    kernels.store_pixels({{radiance[0], radiance[1], radiance[2]},
-                          nullptr,
-                          block_size / 4,
-                          block_size,
-                          std::min(block_size, gbuffer.height() - y),
-                          rgba + (std::size_t(y) * std::size_t(gbuffer.width()) + std::size_t(x)) * 4,
-                          std::size_t{4} * std::size_t(gbuffer.width())});
+    a.count = std::uint32_t(block_size * std::min(block_size, gbuffer.height() - y));
+    a.film = {rgba + (std::size_t(y) * std::size_t(gbuffer.width()) + std::size_t(x)) * 4,
+              std::size_t{4} * std::size_t(gbuffer.width()), block_size / 4};
+    kernels.shade(a);
   }
 };
 

@@ -3,6 +3,7 @@
 #include "kernels/light/environment.hpp"
 #include "kernels/shade/background.hpp"
 #include "kernels/shade/cull.hpp"
+#include "kernels/shade/film.hpp"
 #include "kernels/shade/tile.hpp"
 
 namespace tessera::TESSERA_ISA {
@@ -76,8 +77,7 @@ std::uint32_t cull_lights(const CullLightsArgs& args) {
 
 void store_pixels(const StorePixelsArgs& args) {
   constexpr int rows = Float::lanes / 4;  // a vector is 4 x rows pixels
-  // Pixels go to memory once and are not read again soon: whole lines past the caches, where rows lie on lines.
-  const bool lines = reinterpret_cast<std::uintptr_t>(args.rgba) % 64 == 0 && args.row_stride % 16 == 0;
+  const FilmRows film(args.rgba, args.row_stride);
   for (int y = 0; y < args.height; y += rows) {
     float* out = args.rgba + std::size_t(y) * args.row_stride;
     for (int x = 0; x < args.width; x += 4, out += 16) {
@@ -92,10 +92,8 @@ void store_pixels(const StorePixelsArgs& args) {
         for (int row = 0; row < rows && y + row < args.height; ++row)
           for (int i = 0; i < width; ++i)
             out[std::size_t(row) * args.row_stride + std::size_t(i)] = whole[16 * row + i];
-      } else if (lines) {
-        stream_quads(out, args.row_stride, pixel);
       } else {
-        store_quads(out, args.row_stride, pixel);
+        film.store(out, pixel);
       }
     }
   }

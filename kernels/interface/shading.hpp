@@ -121,6 +121,14 @@ enum ShadeFeature : std::uint32_t {  // what a set of fragments calls for; the s
   feature_all = 15,
 };
 
+// Where fragments go that are pixels, one each: to a film's blocks of 4 x 4, from left to right and from top to bottom.
+// Other threads see them after end_streaming().
+struct FilmBlocks {
+  float* rgba;             // of the first pixel; null: nowhere
+  std::size_t row_stride;  // in floats
+  std::uint32_t blocks;    // in a row
+};
+
 struct ShadeArgs {
   GBufferView gbuffer;
   std::uint32_t count;
@@ -131,11 +139,13 @@ struct ShadeArgs {
   std::uint32_t light_count;        // of the list, or of all
   EnvironmentView environment;
   DfgView dfg;
-  float* radiance[3];  // out, SoA; not multiplied by alpha
+  float* radiance[3];  // out, SoA; not multiplied by alpha. If there is a film, memory to work in
   // Where the next fragments will be read from memory: that many floats ahead in every plane lies what is fetched
   // meanwhile. 0: the planes are in the cache already, as a tile's are.
   std::uint32_t fetch_ahead;
   EnvironmentShading environment_shading = {};
+  // If not null, radiance goes there with an alpha of 1, and `count` is that of whole blocks.
+  FilmBlocks film = {};
 };
 
 // Lights as culling sees them: spheres. Arrays padded to max_lanes.

@@ -9,6 +9,7 @@
 #include "kernels/light/environment.hpp"
 #include "kernels/math/vector.hpp"
 #include "kernels/shade/environment_options.hpp"
+#include "kernels/shade/film.hpp"
 #include "kernels/shade/stages.hpp"
 #include "kernels/shade/surface.hpp"
 #include "kernels/simd.hpp"
@@ -42,6 +43,7 @@ template <std::uint32_t Features, bool plain, class F>
 inline void finish(const ShadeArgs& args, const Block& block) {
   constexpr bool lights = (Features & feature_lights) != 0;
   const GBufferView g = args.gbuffer;
+  const FilmWriter film(args.film);
   for (int i = 0; i < block.count; i += F::lanes) {
     const std::uint32_t at = block.first + std::uint32_t(i);
     // A cache line holds sixteen.
@@ -57,9 +59,13 @@ inline void finish(const ShadeArgs& args, const Block& block) {
     if constexpr (Features & feature_unlit)
       radiance = select<F>(load<F>(g.unlit + at) > F(0.5), load_vector<F>(g.base_color, at), radiance);
     radiance = clamp_radiance(radiance);
-    store(args.radiance[0] + at, radiance.x);
-    store(args.radiance[1] + at, radiance.y);
-    store(args.radiance[2] + at, radiance.z);
+    if (film) {
+      film.store(at, radiance);
+    } else {
+      store(args.radiance[0] + at, radiance.x);
+      store(args.radiance[1] + at, radiance.y);
+      store(args.radiance[2] + at, radiance.z);
+    }
   }
 }
 

@@ -12,11 +12,6 @@ namespace tessera {
 /// unknown name.
 std::vector<AovLayer> make_aov_layers(const std::vector<std::string>& names, int width, int height);
 
-/// Where a tile stands in the picture.
-struct TileRect {
-  int x, y, width, height;
-};
-
 /// Fills the tile's pixels of every layer from the fragment that covers most of each pixel.
 void capture_aovs(std::vector<AovLayer>& layers, const TileFragments& tile, const TileRect& rect, int picture_width,
                   const Scene& scene, const ViewTransform& view, int samples);

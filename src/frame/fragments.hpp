@@ -10,6 +10,11 @@
 
 namespace tessera {
 
+/// Where a tile stands in the picture.
+struct TileRect {
+  int x, y, width, height;
+};
+
 class TileFragments {
  public:
   /// Sorted for compositing: pixels ascending; in a pixel front to back, or, where none is transparent, by triangle.
@@ -17,7 +22,8 @@ class TileFragments {
   /// slots[i]: where fragments[i] lies in the planes; not looked at if in_order.
   ScratchVector<std::uint32_t> slots;
   bool in_order = false;  // fragments[i] lies in slot i
-  bool whole = false;     // in order, one fragment for every pixel of the tile, opaque, that covers all samples
+  bool whole = false;     // in order, one fragment for every pixel of the tile, opaque, that covers all samples: their
+                          // pixels are in the film, and no radiance in the planes
 
   [[nodiscard]] std::uint32_t slot(std::size_t i) const { return in_order ? static_cast<std::uint32_t>(i) : slots[i]; }
   void clear() {

@@ -32,8 +32,7 @@ void FramePipeline::render(const PreparedScene& scene, const View& view, const R
   in.all_planes = static_cast<bool>(visit);
   tiles_.run(TileGrid(settings.width, settings.height), settings, statistics,
              [&](FrameWorker& worker, const TileRect& rect) {
-               worker.tile.render(in, rect.x, rect.y, rect.width, rect.height,
-                                  geometry_.lists(rect.x / tile_size, rect.y / tile_size));
+               worker.tile.render(in, rect, geometry_.lists(rect.x / tile_size, rect.y / tile_size), film);
                finish_tile(worker, rect, settings.samples, background, view, kernels, film);
                if (visit) visit(worker.tile.fragments, rect);
              });

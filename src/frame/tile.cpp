@@ -9,7 +9,7 @@ namespace tessera {
 
 namespace {
 
-// One opaque fragment for each pixel, in order, and whole blocks of 4 x 4: what store_pixels() takes.
+// One opaque fragment for each pixel, in order, and whole blocks of 4 x 4: what FilmBlocks take.
 bool is_whole(const TileFragments& tile, std::size_t opaque, int width, int height, int samples) {
   if (!tile.in_order || width % 4 != 0 || height % 4 != 0) return false;
   if (opaque != tile.fragments.size() || opaque != static_cast<std::size_t>(width * height)) return false;
@@ -26,14 +26,14 @@ std::size_t TileWorker::bytes() const {
          (candidates_.capacity() + grouped_.capacity()) * sizeof(Fragment) + sorter_.bytes();
 }
 
-void TileWorker::render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists) {
+void TileWorker::render(const TileInputs& in, const TileRect& rect, const TileLists& lists, const FilmView& film) {
   fragments.clear();
   opaque_count_ = 0;
   if (lists.opaque.empty() && lists.mask.empty() && lists.blend.empty()) return;
   const std::size_t samples = in.pattern.count;
   depth_.resize(samples * tile_pixels);
   ids_.resize(samples * tile_pixels);
-  const VisibilityTile tile{x, y, width, height, in.pattern.count, depth_.data(), ids_.data()};
+  const VisibilityTile tile{rect.x, rect.y, rect.width, rect.height, in.pattern.count, depth_.data(), ids_.data()};
   in.kernels->clear_visibility(tile);
   if (!lists.opaque.empty()) {
     in.kernels->rasterize_opaque(
@@ -51,9 +51,9 @@ void TileWorker::render(const TileInputs& in, int x, int y, int width, int heigh
     return;
   }
   group_by_binding(in);
-  fragments.whole = is_whole(fragments, opaque_count_, width, height, in.pattern.count);
+  fragments.whole = is_whole(fragments, opaque_count_, rect.width, rect.height, in.pattern.count);
   clock.lap(Stage::collect);
-  shade_runs(in, x, y);
+  shade_runs(in, rect, film);
   if (fragments.fragments.size() > opaque_count_) sorter_.sort(fragments, opaque_count_);
   clock.lap(Stage::collect);
 }
@@ -164,7 +164,7 @@ void TileWorker::group_by_binding(const TileInputs& in) {
 }
 
 void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t first, std::uint32_t count,
-               std::uint32_t features) {
+               std::uint32_t features, const FilmBlocks& film) {
   ShadeArgs args{};
   args.gbuffer = fragments.gbuffer(first);
   args.count = count;
@@ -186,10 +186,11 @@ void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t fir
   args.environment_shading = in.environment_shading;
   const std::array<float*, 3> radiance = fragments.radiance(first);
   std::copy(radiance.begin(), radiance.end(), args.radiance);
+  args.film = film;
   in.kernels->shade(args);
 }
 
-void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
+void TileWorker::shade_runs(const TileInputs& in, const TileRect& rect, const FilmView& film) {
   const Fragment* grouped = fragments.in_order ? fragments.fragments.data() : grouped_.data();
   const bool sorted = fragments.fragments.size() > opaque_count_;
   for (const Run& run : runs_) {
@@ -201,12 +202,15 @@ void TileWorker::shade_runs(const TileInputs& in, int x, int y) {
       if (fragments.whole) out.alpha = nullptr;
       if (!sorted) out.depth = nullptr;
     }
-    in.kernels->resolve(
-        {in.geometry, in.view, &in.materials[run.binding], in.pattern, x, y, grouped + run.first, run.count, out});
+    in.kernels->resolve({in.geometry, in.view, &in.materials[run.binding], in.pattern, rect.x, rect.y,
+                         grouped + run.first, run.count, out});
   }
   clock.lap(Stage::resolve);
+  FilmBlocks pixels{};
+  if (fragments.whole)
+    pixels = {film.at(rect.x, rect.y), std::size_t(film.width) * 4, static_cast<std::uint32_t>(rect.width / 4)};
   for (const Run& run : runs_)
-    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features));
+    shade_run(in, fragments, run.first, run.count, classify(in.materials[run.binding], in.lighting.features), pixels);
   clock.lap(Stage::shade);
 }
 

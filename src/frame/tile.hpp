@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/image.hpp"
 #include "base/stage_clock.hpp"
 #include "frame/fragment_sorter.hpp"
 #include "frame/fragments.hpp"
@@ -40,8 +41,9 @@ class TileWorker {
  public:
   StageClock clock;
 
-  /// The clock has been started. Leaves the tile's shaded fragments, sorted for compositing, in `fragments`.
-  void render(const TileInputs& in, int x, int y, int width, int height, const TileLists& lists);
+  /// The clock has been started. Leaves the tile's shaded fragments, sorted for compositing, in `fragments`; or the
+  /// pixels in the film, if fragments.whole.
+  void render(const TileInputs& in, const TileRect& rect, const TileLists& lists, const FilmView& film);
 
   TileFragments fragments;
   [[nodiscard]] std::size_t bytes() const;
@@ -51,7 +53,7 @@ class TileWorker {
   void collect(const TileInputs& in, const VisibilityTile& tile, std::span<const std::uint32_t> blend);
   bool one_binding(const TileInputs& in, std::uint32_t& binding) const;
   void group_by_binding(const TileInputs& in);
-  void shade_runs(const TileInputs& in, int x, int y);
+  void shade_runs(const TileInputs& in, const TileRect& rect, const FilmView& film);
 
   struct Piece {  // candidates of one masked triangle
     std::uint32_t setup, first, count;
@@ -74,8 +76,8 @@ class TileWorker {
   FragmentSorter sorter_;
 };
 
-/// Shades slots [first, first + count) of the planes.
+/// Shades slots [first, first + count) of the planes, for their radiance or for a film.
 void shade_run(const TileInputs& in, TileFragments& fragments, std::uint32_t first, std::uint32_t count,
-               std::uint32_t features);
+               std::uint32_t features, const FilmBlocks& film = {});
 
 }  // namespace tessera

@@ -60,7 +60,7 @@ class TileLoop {
   std::uint64_t order_seed_ = 0;
 };
 
-/// Shaded fragments to pixels of the film; counts what there was.
+/// Shaded fragments to pixels of the film, unless they are there; counts what there was.
 void finish_tile(FrameWorker& worker, const TileRect& rect, int samples, const BackgroundSource& background,
                  const View& view, const Kernels& kernels, const FilmView& film);
 

@@ -68,6 +68,35 @@ TEST(ShadeFeatures, DoNotChangeTheResult) {
   }
 }
 
+// A film's pixels are the radiance that the planes would have held, whether its rows lie on cache lines or not.
+TEST(ShadeFilm, HoldsTheRadiance) {
+  const Vec3 eye = {0, 1, 4};
+  const Environment environment = gradient_environment();
+  const auto lights = all_kinds_of_lights();
+  std::mt19937 random(3);
+  for (const std::uint32_t blocks : {1u, 3u, 4u})
+    for (const std::uint32_t rows : {1u, 2u, 5u}) {
+      GBuffer gbuffer(blocks * rows * 16);
+      for (std::size_t i = 0; i < gbuffer.count(); ++i) gbuffer.set(i, random_surface(random, eye));
+      for (const EnvironmentLobe lobe : {EnvironmentLobe::mirror, EnvironmentLobe::taps4})
+        for (const std::size_t row_stride : {std::size_t{16} * blocks, std::size_t{16} * blocks + 4})
+          for (const Kernels* kernels : runnable_kernels()) {
+            ShadeArgs args = shade_args(gbuffer, eye, lights, &environment);
+            args.environment_shading.lobe = lobe;
+            kernels->shade(args);
+            AlignedVector<float> film(row_stride * rows * 4 + 16, -7), expected = film;
+            for (std::uint32_t i = 0; i < gbuffer.count(); ++i) {
+              const std::uint32_t block = i / 16, x = block % blocks * 4 + i % 4, y = block / blocks * 4 + i % 16 / 4;
+              for (std::size_t c = 0; c < 4; ++c)
+                expected[y * row_stride + 4 * x + c] = c == 3 ? 1.0f : gbuffer.radiance()[c][i];
+            }
+            args.film = {film.data(), row_stride, blocks};
+            kernels->shade(args);
+            ASSERT_EQ(film, expected) << kernels->isa << ' ' << blocks << 'x' << rows << " stride " << row_stride;
+          }
+    }
+}
+
 // The same fragment gives the same bits in any lane, beside any neighbours.
 TEST(ShadeLanes, NeighboursDoNotShow) {
   const Vec3 eye = {0, 1, 4};
