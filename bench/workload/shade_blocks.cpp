@@ -16,10 +16,8 @@ struct BlockShader {
 
   // a: a copy of args.
   void shade(int block, ShadeArgs& a) const {
-    alignas(256) float radiance[3][block_pixels];
     std::uint32_t list[most_lights];
     gbuffer.view_block(block, a.gbuffer);
-    for (int k = 0; k < 3; ++k) a.radiance[k] = radiance[k];
     if (lights.culled) {
       const GBufferView& g = a.gbuffer;
       a.light_count = kernels.cull_lights(

@@ -139,7 +139,7 @@ struct ShadeArgs {
   std::uint32_t light_count;        // of the list, or of all
   EnvironmentView environment;
   DfgView dfg;
-  float* radiance[3];  // out, SoA; not multiplied by alpha. If there is a film, memory to work in
+  float* radiance[3];  // out, SoA; not multiplied by alpha. Not touched if there is a film
   // Where the next fragments will be read from memory: that many floats ahead in every plane lies what is fetched
   // meanwhile. 0: the planes are in the cache already, as a tile's are.
   std::uint32_t fetch_ahead;

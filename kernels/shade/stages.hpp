@@ -87,6 +87,7 @@ struct Block {
   Footprints cube_fine, cube_coarse;
   DfgFootprints dfg;
   alignas(64) float A[block_size], B[block_size];  // EnvironmentBRDF
+  alignas(64) float lit[3][block_size];            // radiance of punctual lights
   alignas(64) float irradiance[3][block_size];     // E(n) / pi
   alignas(64) float specular[3][block_size];       // prefiltered radiance, its mean over the lobe
 };
@@ -258,8 +259,8 @@ TESSERA_INLINE void prefetch_surface(const GBufferView& g, std::size_t i) {
   prefetch(g.occlusion + i);
 }
 
-/// Leaves the radiance of punctual lights in ShadeArgs::radiance. environment: its light comes after this, mirror: by
-/// reading the cube at the block's footprints. kind: kind_of(lights).
+/// environment: its light comes after this, mirror: by reading the cube at the block's footprints. kind:
+/// kind_of(lights).
 template <bool environment, bool mirror, LightKind kind>
 [[gnu::noinline]] void shade_lights(const ShadeArgs& args, const LightList& lights, Block& block) {
   const GBufferView g = args.gbuffer;
@@ -282,10 +283,7 @@ template <bool environment, bool mirror, LightKind kind>
       store_vector(block.f0, i, surface.f0);
       store_vector(block.albedo, i, surface.albedo);
     }
-    const Vec3<Float> radiance = reflect_lights(sums, surface);
-    store(args.radiance[0] + at, radiance.x);
-    store(args.radiance[1] + at, radiance.y);
-    store(args.radiance[2] + at, radiance.z);
+    store_vector(block.lit, i, reflect_lights(sums, surface));
   }
 }
 

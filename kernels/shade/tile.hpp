@@ -49,8 +49,7 @@ inline void finish(const ShadeArgs& args, const Block& block) {
     // A cache line holds sixteen.
     if (args.fetch_ahead != 0 && i % 16 == 0) prefetch_surface(g, std::size_t{at} + args.fetch_ahead);
     Vec3<F> radiance = {F(0), F(0), F(0)};
-    if constexpr (lights)
-      radiance = {load<F>(args.radiance[0] + at), load<F>(args.radiance[1] + at), load<F>(args.radiance[2] + at)};
+    if constexpr (lights) radiance = load_vector<F>(block.lit, i);
     if constexpr ((Features & feature_environment) && plain)
       add_environment<lights>(g, block, i, radiance);
     else if constexpr (Features & feature_environment)

@@ -91,6 +91,7 @@ TEST(ShadeFilm, HoldsTheRadiance) {
                 expected[y * row_stride + 4 * x + c] = c == 3 ? 1.0f : gbuffer.radiance()[c][i];
             }
             args.film = {film.data(), row_stride, blocks};
+            for (float*& plane : args.radiance) plane = nullptr;
             kernels->shade(args);
             ASSERT_EQ(film, expected) << kernels->isa << ' ' << blocks << 'x' << rows << " stride " << row_stride;
           }
