@@ -10,6 +10,7 @@
 //     loss = 1 - A - B   and   drop = (1 - n.v)^5 - B.
 // The constant 2 and the root of r were found by trying; nodes lie on the ends of both axes.
 #pragma once
+#include "kernels/interface.hpp"
 #include "kernels/math/approx.hpp"
 #include "kernels/simd.hpp"
 
@@ -118,7 +119,7 @@ struct DfgHalfFormat {
   }
 };
 
-/// Two numbers from -1/64 to 1 in 16 bits each, in one word. (drop is a little below 0 in places.)
+/// Two numbers from -1/64 to 1 in 16 bits each, in one word: as DfgView's, counted from 0.
 struct DfgUnormFormat {
   template <class F>
   TESSERA_INLINE static DfgTexel<F> load(const float* texels, IntOf<F> index) {
@@ -129,7 +130,7 @@ struct DfgUnormFormat {
   // Filters are linear and their weights sum to 1: once, behind them.
   template <class F>
   TESSERA_INLINE static F decode(F x) {
-    return mul_add(x, F((1 + 1.0 / 64) / 65535), F(-1.0 / 64));
+    return mul_add(x, F(dfg_step), F(-1.0 / 64));
   }
 };
 

@@ -11,12 +11,17 @@
 
 namespace tessera {
 
+/// As DfgView stores a number: the nearest one that can be.
+inline std::int16_t dfg_number(double x) {
+  return std::int16_t(std::clamp(std::round((x - dfg_middle) / dfg_step), -32768.0, 32767.0));
+}
+
 struct DfgTable {
   AlignedVector<std::int16_t> nodes;  // as DfgView has them
   int size = 0;
   bool warped = false;
 
-  /// From size x size pairs, size >= 2. A number that no node can hold becomes the nearest that one can.
+  /// From size x size pairs, size >= 2.
   DfgTable(const float* pairs, int size, bool warped = false);
   [[nodiscard]] DfgView view() const { return {nodes.data(), size, warped}; }
   /// The pair at column i of row j.
@@ -29,8 +34,7 @@ inline DfgTable::DfgTable(const float* pairs, int table_size, bool on_warped_axe
   nodes.reserve(std::size_t(pitch) * std::size_t(pitch) * dfg_node_shorts);
   const auto number = [&](int i, int j, int c) {
     const int row = std::clamp(j - 1, 0, size - 1), column = std::clamp(i - 1, 0, size - 1);
-    const double value = double(pairs[std::size_t(row * size + column) * 2 + std::size_t(c)]);
-    return std::int16_t(std::clamp(std::round((value - dfg_middle) / dfg_step), -32768.0, 32767.0));
+    return dfg_number(double(pairs[std::size_t(row * size + column) * 2 + std::size_t(c)]));
   };
   for (int j = 0; j < pitch; ++j)
     for (int i = 0; i < pitch; ++i)

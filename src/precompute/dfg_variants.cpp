@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "kernels/terms.hpp"
+#include "precompute/dfg.hpp"
 
 namespace tessera {
 namespace {
@@ -67,10 +68,6 @@ void subtract_curvature(const std::vector<float>& from, std::vector<float>& node
     }
 }
 
-std::uint32_t unorm16(float x) {  // from -1/64 to 1
-  return std::uint32_t(std::floor(std::clamp((x + 1.0f / 64) * (65535 / (1 + 1.0f / 64)), 0.0f, 65535.0f) + 0.5f));
-}
-
 }  // namespace
 
 DfgVariant build_dfg_variant(const Kernels& kernels, DfgAxes axes, DfgFormat format, int size, bool balanced) {
@@ -91,8 +88,8 @@ DfgVariant build_dfg_variant(const Kernels& kernels, DfgAxes axes, DfgFormat for
       kernels.pack_half(a.data(), low.data(), a.size());
       kernels.pack_half(b.data(), high.data(), b.size());
     } else {
-      for (std::size_t k = 0; k < a.size(); ++k)
-        low[k] = std::uint16_t(unorm16(a[k])), high[k] = std::uint16_t(unorm16(b[k]));
+      const auto unorm16 = [](float x) { return std::uint16_t(dfg_number(double(x)) + 32768); };
+      for (std::size_t k = 0; k < a.size(); ++k) low[k] = unorm16(a[k]), high[k] = unorm16(b[k]);
     }
     for (std::size_t k = 0; k < a.size(); ++k)
       table.words[k] = std::bit_cast<float>(std::uint32_t(low[k]) | std::uint32_t(high[k]) << 16);
