@@ -81,10 +81,9 @@ void store_pixels(const StorePixelsArgs& args) {
   for (int y = 0; y < args.height; y += rows) {
     float* out = args.rgba + std::size_t(y) * args.row_stride;
     for (int x = 0; x < args.width; x += 4, out += 16) {
-      const int at = (y / 4 * args.blocks + x / 4) * 16 + y % 4 * 4;
-      const Float pixel[4] = {load<Float>(args.rgb[0] + at), load<Float>(args.rgb[1] + at),
-                              load<Float>(args.rgb[2] + at),
-                              args.alpha == nullptr ? Float(1) : load<Float>(args.alpha + at)};
+      const int at = (y / 4 * (tile_size / 4) + x / 4) * 16 + y % 4 * 4;
+      const Float pixel[4] = {load<Float>(args.channels[0] + at), load<Float>(args.channels[1] + at),
+                              load<Float>(args.channels[2] + at), load<Float>(args.channels[3] + at)};
       if (y + rows > args.height || x + 4 > args.width) {
         float whole[4 * Float::lanes];
         store_quads(whole, 16, pixel);

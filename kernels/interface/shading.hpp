@@ -174,13 +174,11 @@ struct BackgroundArgs {
   float* rgba[4];          // added to, and alpha becomes 1 where something remains
 };
 
-struct StorePixelsArgs {  // planes -> pixels of a film
-  const float* rgb[3];    // in blocks of 4 x 4 as in a tile, but `blocks` of them in a row
-  const float* alpha;     // null: 1
-  int blocks;
-  int width, height;
-  float* rgba;             // of the first pixel. Other threads see it after end_streaming()
-  std::size_t row_stride;  // in floats
+struct StorePixelsArgs {     // a tile's planes -> pixels of a film
+  const float* channels[4];  // tile_pixels each
+  int width, height;         // of the tile
+  float* rgba;               // of the first pixel. Other threads see it after end_streaming()
+  std::size_t row_stride;    // in floats
 };
 
 enum class ToneCurve : std::uint32_t { none, reinhard, aces, khronos_neutral };

@@ -34,9 +34,7 @@ void composite_pixel(const TileFragments& tile, std::size_t begin, std::size_t e
 }
 
 void store_tile(const TilePixels& pixels, const Kernels& kernels, const TileFilm& film) {
-  kernels.store_pixels({{pixels.rgba[0], pixels.rgba[1], pixels.rgba[2]},
-                        pixels.rgba[3],
-                        tile_size / 4,
+  kernels.store_pixels({{pixels.rgba[0], pixels.rgba[1], pixels.rgba[2], pixels.rgba[3]},
                         film.width,
                         film.height,
                         film.rgba,
