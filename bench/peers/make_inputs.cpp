@@ -54,11 +54,7 @@ void write_all(const std::string& folder) {
     write(folder + "/lights_" + std::to_string(count) + ".f32", lights.data(), lights.size());
   }
   write_environment(folder, kernels);
-  const DfgTable table = build_dfg_table(kernels);
-  std::vector<float> pairs;
-  for (int j = 0; j < table.size; ++j)
-    for (int i = 0; i < table.size; ++i)
-      for (const double number : table.node(i, j)) pairs.push_back(float(number));
+  const AlignedVector<float> pairs = dfg_pairs(kernels);
   std::vector<std::uint16_t> halves(pairs.size());
   kernels.pack_half(pairs.data(), halves.data(), pairs.size());
   write(folder + "/dfg.rg16f", halves.data(), halves.size());

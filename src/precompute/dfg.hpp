@@ -47,6 +47,9 @@ inline std::array<double, 2> DfgTable::node(int i, int j) const {
   return {numbers[0] * dfg_step + dfg_middle, numbers[2] * dfg_step + dfg_middle};
 }
 
+/// A and B at the nodes of linear axes: size x size pairs, size >= 2.
+AlignedVector<float> dfg_pairs(const Kernels& kernels, int size = 128);
+
 /// size >= 2. At 128 the nodes are within 2e-5 of the integral. Elsewhere the linear axes are the limit: at most 2e-4
 /// (mean 2e-5) for n.v and r from 0.1 up, 4e-3 beyond the last node (r > 0.996), 2e-2 below 0.02, and 8e-2 at r < 0.03
 /// where n.v < 0.002 is off the table.
